@@ -1,0 +1,4 @@
+//! The compiler of device descriptions: TOML in; ESI, Markdown, JSON and Rust out.
+
+pub mod diagnostic;
+pub mod source;

@@ -1,0 +1,50 @@
+//! Where an entity was written.
+
+use std::sync::Arc;
+
+use super::{Location, Node, Table, Value};
+
+/// The table an entity was read from, kept beside the entity so that a message can point into it.
+///
+/// The table may be layered: a value that a profile sets lies in the profile's file, one that the device
+/// sets lies in the device's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Origin {
+    header: Location,
+    table: Arc<Table>,
+}
+
+impl Origin {
+    /// The origin of an entity whose key stands at `header` and whose values are in `table`.
+    pub fn new(header: Location, table: Arc<Table>) -> Self {
+        Self { header, table }
+    }
+
+    /// Where the entity is named.
+    pub fn header(&self) -> Location {
+        self.header
+    }
+
+    /// Where the value at `path` was set (`"max"`, `"entries.0x01.type"`); the header if nothing set it.
+    pub fn value(&self, path: &str) -> Location {
+        self.find(path).map_or(self.header, |node| node.at)
+    }
+
+    /// Whether the value at `path` was set.
+    pub fn has(&self, path: &str) -> bool {
+        self.find(path).is_some()
+    }
+
+    fn find(&self, path: &str) -> Option<&Node> {
+        let mut parts = path.split('.');
+        let mut node = &self.table.get(parts.next()?)?.node;
+        for part in parts {
+            node = match &node.value {
+                Value::Table(table) => &table.get(part)?.node,
+                Value::Array(items) => items.get(part.parse::<usize>().ok()?)?,
+                _ => return None,
+            };
+        }
+        Some(node)
+    }
+}

@@ -1,0 +1,122 @@
+//! A parsed TOML file in which every key and every value knows where it stands.
+//!
+//! The tree is shared, not copied: laying a table over another makes a new list of members that point
+//! at the same nodes. So each value still knows the file that really set it, however many layers there are.
+
+use std::sync::Arc;
+
+use super::Location;
+
+/// A value and its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// Where the value stands; for a table written under a `[header]`, the header.
+    pub at: Location,
+    /// What it is.
+    pub value: Value,
+}
+
+/// What a TOML value can be.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// Text.
+    String(Arc<str>),
+    /// A whole number in whatever radix it was written.
+    Integer(i128),
+    /// A number with a fraction.
+    Float(f64),
+    /// `true` or `false`.
+    Boolean(bool),
+    /// A date, a time, or both, as written.
+    Datetime(Arc<str>),
+    /// A list.
+    Array(Arc<[Node]>),
+    /// Keys with values.
+    Table(Arc<Table>),
+}
+
+/// A key and its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Key {
+    /// The key without quotes.
+    pub name: Arc<str>,
+    /// Where it stands.
+    pub at: Location,
+}
+
+/// A key with its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Member {
+    /// The key.
+    pub key: Key,
+    /// The value.
+    pub node: Node,
+}
+
+/// Keys with values, in the order in which they were written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// The `[header]`, or the braces of an inline table, or the whole file for its root.
+    pub at: Location,
+    /// The members, each key once.
+    pub members: Vec<Member>,
+}
+
+impl Value {
+    /// What people call this kind of value, with its article.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::String(_) => "a string",
+            Self::Integer(_) => "an integer",
+            Self::Float(_) => "a float",
+            Self::Boolean(_) => "a boolean",
+            Self::Datetime(_) => "a date",
+            Self::Array(_) => "an array",
+            Self::Table(_) => "a table",
+        }
+    }
+}
+
+impl Node {
+    /// The table, if this is one.
+    pub fn table(&self) -> Option<&Arc<Table>> {
+        match &self.value {
+            Value::Table(table) => Some(table),
+            _ => None,
+        }
+    }
+}
+
+impl Table {
+    /// The member of this name.
+    pub fn get(&self, name: &str) -> Option<&Member> {
+        self.members.iter().find(|member| &*member.key.name == name)
+    }
+
+    /// This table laid over `base`: tables merge member by member, everything else in `base` is replaced.
+    ///
+    /// Members keep the order of `base`, what only this table has follows; the place of the whole is this
+    /// table's.
+    pub fn over(&self, base: &Table) -> Table {
+        let mut members: Vec<Member> = base.members.clone();
+        for upper in &self.members {
+            match members.iter_mut().find(|lower| lower.key.name == upper.key.name) {
+                Some(lower) => *lower = upper.over(lower),
+                None => members.push(upper.clone()),
+            }
+        }
+        Table { at: self.at, members }
+    }
+}
+
+impl Member {
+    fn over(&self, base: &Member) -> Member {
+        let node = match (&self.node.value, &base.node.value) {
+            (Value::Table(upper), Value::Table(lower)) => {
+                Node { at: self.node.at, value: Value::Table(Arc::new(upper.over(lower))) }
+            }
+            _ => self.node.clone(),
+        };
+        Member { key: self.key.clone(), node }
+    }
+}
