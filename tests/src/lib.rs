@@ -1,1 +1,3 @@
-//! Part of devc.
+//! Tests of devc as a whole, and the yardsticks they measure with.
+
+pub mod manual;
