@@ -3,6 +3,8 @@
 //! Nothing here prints. A stage makes [`Diagnostic`]s and collects them in [`Diagnostics`]; a renderer
 //! turns them into text.
 
+pub mod faults;
+pub mod render;
 mod rule;
 
 #[allow(unused_imports)]
@@ -57,15 +59,19 @@ pub struct Edit {
 
 impl Diagnostic {
     /// A message at a place, at the rule's default level.
-    pub fn new(rule: &'static Rule, message: impl Into<String>, at: Location, label: impl Into<String>) -> Self {
-        Self {
-            rule,
-            level: rule.level,
-            message: message.into(),
-            labels: vec![Label { at, text: label.into() }],
-            notes: Vec::new(),
-            helps: Vec::new(),
-        }
+    pub fn new(
+        rule: &'static Rule,
+        message: impl Into<String>,
+        at: Location,
+        label: impl Into<String>,
+    ) -> Self {
+        Self::bare(rule, message).label(at, label)
+    }
+
+    /// A message that has no place, because there is no text to point at.
+    pub fn bare(rule: &'static Rule, message: impl Into<String>) -> Self {
+        let (labels, notes, helps) = (Vec::new(), Vec::new(), Vec::new());
+        Self { rule, level: rule.level, message: message.into(), labels, notes, helps }
     }
 
     /// Points at another place.
@@ -138,9 +144,7 @@ impl Diagnostics {
     /// Sorts by place, then by rule, and drops what is said twice, so that the order in which rules ran
     /// does not show.
     pub fn finish(&mut self) {
-        self.list.sort_by(|a, b| {
-            (a.at(), a.rule.name, &a.message).cmp(&(b.at(), b.rule.name, &b.message))
-        });
+        self.list.sort_by(|a, b| (a.at(), a.rule.name, &a.message).cmp(&(b.at(), b.rule.name, &b.message)));
         self.list.dedup();
     }
 }

@@ -3,10 +3,24 @@
 //! This is the lowest room of the house: it knows TOML and files, nothing of drives. All input goes
 //! through a [`Loader`]; the rest of the compiler never touches a file system.
 
+mod duplicate;
+mod include;
+mod load;
+mod loader;
+mod merge;
+pub(crate) mod near;
 mod origin;
+mod parse;
+mod settings;
+#[cfg(test)]
+mod tests;
 mod tree;
 
+pub use load::{Document, MAIN_FILE, Profile, load};
+pub use loader::{Disk, Loader, MAX_SIZE, Memory};
 pub use origin::Origin;
+#[allow(unused_imports)]
+pub(crate) use parse::parse;
 pub use tree::{Key, Member, Node, Table, Value};
 
 /// A file of one compilation, by its place in [`Sources`].

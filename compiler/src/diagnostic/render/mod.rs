@@ -1,0 +1,5 @@
+//! Messages as people and machines read them.
+
+mod text;
+
+pub use text::{Style, text};

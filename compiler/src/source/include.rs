@@ -1,0 +1,183 @@
+//! Following `include` from file to file.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::loader::{MAX_SIZE, shown, similar};
+use super::parse::parse;
+use super::settings::Settings;
+use super::{Loader, Location, SourceFile, Sources, Table};
+use crate::diagnostic::{Diagnostic, Diagnostics, faults};
+
+/// How many files may include one another in a row.
+const MAX_DEPTH: usize = 64;
+
+/// Reads files, each once.
+pub(super) struct Reader<'a> {
+    loader: &'a dyn Loader,
+    /// The canonical folder that no include may leave.
+    folder: PathBuf,
+    sources: &'a mut Sources,
+    diagnostics: &'a mut Diagnostics,
+    /// The files whose includes are being followed, outermost first: canonical, and as shown.
+    chain: Vec<(PathBuf, String)>,
+    /// The canonical paths of all files seen.
+    seen: Vec<PathBuf>,
+    /// What was read.
+    pub(super) parts: Vec<Part>,
+    /// Where it was read from.
+    pub(super) files: Vec<PathBuf>,
+}
+
+/// One file of a description.
+pub(super) struct Part {
+    pub(super) table: Table,
+    pub(super) settings: Settings,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader for the description that starts with the file `main`.
+    pub(super) fn new(
+        loader: &'a dyn Loader,
+        main: &Path,
+        sources: &'a mut Sources,
+        diagnostics: &'a mut Diagnostics,
+    ) -> Option<Self> {
+        let folder = loader.canonical(main).ok()?.parent()?.to_owned();
+        let (chain, seen, parts, files) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Some(Self { loader, folder, sources, diagnostics, chain, seen, parts, files })
+    }
+
+    /// Reads the first file and all it includes.
+    pub(super) fn read(&mut self, main: &Path) {
+        match self.loader.canonical(main) {
+            Ok(canonical) => self.enter(main, canonical, None),
+            Err(error) => {
+                let message = format!("`{}` {}", shown(main), reason(&error));
+                self.diagnostics.push(Diagnostic::bare(&faults::UNREADABLE_FILE, message));
+            }
+        }
+    }
+
+    fn enter(&mut self, path: &Path, canonical: PathBuf, at: Option<Location>) {
+        self.seen.push(canonical.clone());
+        let text = match self.text(path) {
+            Ok(text) => text,
+            Err(fault) => return self.diagnostics.push(fault.at(at)),
+        };
+        let name = shown(path);
+        let file = self.sources.add(SourceFile { path: name.clone(), text, embedded: false });
+        self.files.push(path.to_owned());
+        let text = self.sources.get(file).map_or("", |file| file.text.as_str());
+        let mut table = parse(file, text, self.diagnostics);
+        let settings = Settings::take(&mut table, self.diagnostics);
+        let includes = settings.include.clone();
+        self.parts.push(Part { table, settings });
+        self.chain.push((canonical, name));
+        for (name, at) in includes {
+            self.follow(path, &name, at);
+        }
+        self.chain.pop();
+    }
+
+    fn follow(&mut self, from: &Path, name: &Arc<str>, at: Location) {
+        let path = from.parent().unwrap_or(Path::new("")).join(&**name);
+        let canonical = match self.loader.canonical(&path) {
+            Ok(canonical) => canonical,
+            Err(error) => return self.diagnostics.push(self.missing(&path, name, at, &error)),
+        };
+        if !canonical.starts_with(&self.folder) {
+            return self.diagnostics.push(outside(name, at));
+        }
+        if let Some(start) = self.chain.iter().position(|(open, _)| *open == canonical) {
+            return self.diagnostics.push(self.cycle(start, name, at));
+        }
+        if self.chain.len() >= MAX_DEPTH {
+            let message = format!("more than {MAX_DEPTH} files include one another in a row");
+            return self.diagnostics.push(Diagnostic::new(&faults::INCLUDE_CYCLE, message, at, "not read"));
+        }
+        if !self.seen.contains(&canonical) {
+            self.enter(&path, canonical, Some(at));
+        }
+    }
+
+    fn text(&self, path: &Path) -> Result<String, Unreadable> {
+        let unreadable = |why: String| Unreadable { message: format!("`{}` {why}", shown(path)), help: None };
+        let bytes = self.loader.read(path).map_err(|error| unreadable(reason(&error)))?;
+        if bytes.len() > MAX_SIZE {
+            return Err(unreadable(format!("is larger than {} MiB", MAX_SIZE >> 20)));
+        }
+        String::from_utf8(bytes).map_err(|error| {
+            let offset = error.utf8_error().valid_up_to();
+            let line = 1 + error.as_bytes().iter().take(offset).filter(|byte| **byte == b'\n').count();
+            let help = Some("save the file as UTF-8".to_owned());
+            Unreadable { help, ..unreadable(format!("is not UTF-8 at byte {offset}, in line {line}")) }
+        })
+    }
+
+    fn missing(&self, path: &Path, name: &str, at: Location, error: &std::io::Error) -> Diagnostic {
+        if error.kind() != ErrorKind::NotFound {
+            let message = format!("`{}` {}", shown(path), reason(error));
+            return Diagnostic::new(&faults::UNREADABLE_FILE, message, at, "included here");
+        }
+        let message = format!("`{}` does not exist", shown(path));
+        let diagnostic = Diagnostic::new(&faults::MISSING_FILE, message, at, "included here");
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let wrong = path.file_name().unwrap_or_default().to_string_lossy();
+        match similar(self.loader, folder, &wrong) {
+            Some(near) => {
+                let name = name.strip_suffix(&*wrong).unwrap_or_default();
+                diagnostic.suggest(format!("did you mean `{near}`?"), at, format!("\"{name}{near}\""))
+            }
+            None => diagnostic.note("an include is relative to the file that names it"),
+        }
+    }
+
+    fn cycle(&self, start: usize, name: &str, at: Location) -> Diagnostic {
+        let names: Vec<&str> = self.chain.iter().skip(start).map(|(_, shown)| shown.as_str()).collect();
+        let first = names.first().copied().unwrap_or_default();
+        let message = format!("`{first}` includes itself");
+        let label = if names.len() == 1 { String::new() } else { format!("`{name}` is being read already") };
+        Diagnostic::new(&faults::INCLUDE_CYCLE, message, at, label)
+            .note(format!("the includes are {} -> {first}", names.join(" -> ")))
+            .help("remove one of them")
+    }
+}
+
+/// A file that cannot be read as text.
+struct Unreadable {
+    message: String,
+    help: Option<String>,
+}
+
+impl Unreadable {
+    fn at(self, at: Option<Location>) -> Diagnostic {
+        let rule = &faults::UNREADABLE_FILE;
+        let diagnostic = match at {
+            Some(at) => Diagnostic::new(rule, self.message, at, "included here"),
+            None => Diagnostic::bare(rule, self.message),
+        };
+        match self.help {
+            Some(help) => diagnostic.help(help),
+            None => diagnostic,
+        }
+    }
+}
+
+fn outside(name: &str, at: Location) -> Diagnostic {
+    let message = format!("`{name}` lies outside the folder of the description");
+    Diagnostic::new(&faults::OUTSIDE_INCLUDE, message, at, "leaves the folder")
+        .note("a description is one folder that can be moved as a whole; links are followed")
+        .help("copy the file into the folder of the description")
+}
+
+/// Why a file cannot be read, the same on every machine where it can be.
+fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => "does not exist".to_owned(),
+        ErrorKind::PermissionDenied => "cannot be read: permission denied".to_owned(),
+        ErrorKind::IsADirectory => "is a folder, not a file".to_owned(),
+        _ => format!("cannot be read: {error}"),
+    }
+}
