@@ -1,0 +1,38 @@
+//! The outputs: one folder each, one line each in [`ALL`].
+//!
+//! An emitter gets a checked family and makes files of it. It cannot fail: what an output cannot express
+//! is a rule, and was reported before.
+
+use std::collections::BTreeMap;
+
+use crate::lint::Checked;
+use crate::model::Family;
+
+/// An output.
+pub trait Emitter: Sync {
+    /// The name for `--emit`, and the extension of its file.
+    fn name(&self) -> &'static str;
+
+    /// What it makes, in one line.
+    fn summary(&self) -> &'static str;
+
+    /// The text of the file `<family>.<name>`.
+    fn emit(&self, family: &Checked<Family>) -> String;
+}
+
+/// The outputs that this build of devc can make.
+pub static ALL: &[&dyn Emitter] = &[];
+
+/// Files by name, relative to the output folder.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Files(pub BTreeMap<String, String>);
+
+/// Makes the outputs of `emitters`: `<family>/<family>.<name>` each.
+pub fn emit(family: &Checked<Family>, emitters: &[&dyn Emitter]) -> Files {
+    let id = &family.id;
+    let files = emitters.iter().map(|emitter| {
+        let name = emitter.name();
+        (format!("{id}/{id}.{name}"), emitter.emit(family))
+    });
+    Files(files.collect())
+}

@@ -1,0 +1,97 @@
+//! What a person sees and sets outside the dictionary.
+
+use super::{Address, Meaning, Source, Value, model};
+
+model! {
+    /// A light.
+    pub struct Led {
+        /// The word for it.
+        pub id: String,
+        /// What is printed beside it.
+        pub name: String,
+        /// Its colour.
+        pub colour: Option<String>,
+        /// What it shows.
+        pub about: Option<String>,
+        /// What its patterns mean.
+        pub patterns: Vec<LedPattern>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+    }
+
+    /// What a light does, and what it means by that.
+    pub struct LedPattern {
+        /// What it does.
+        pub shows: String,
+        /// What that means.
+        pub means: String,
+    }
+
+    /// A socket.
+    pub struct Connector {
+        /// The word for it.
+        pub id: String,
+        /// What is printed beside it.
+        pub name: String,
+        /// Its kind.
+        pub kind: Option<String>,
+        /// What goes in.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+    }
+
+    /// A setting of the device outside its object dictionary.
+    pub struct Parameter {
+        /// The word or number for it.
+        pub id: String,
+        /// Its name.
+        pub name: String,
+        /// What it does, and how it is reached.
+        pub about: Option<String>,
+        /// Its value on delivery.
+        pub default: Option<Value>,
+        /// What its values mean.
+        pub values: Vec<Meaning>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+    }
+
+    /// Something to be set in the master.
+    pub struct MasterSetting {
+        /// What.
+        pub name: String,
+        /// To which value.
+        pub value: String,
+        /// Whether once for each axis.
+        pub per_axis: bool,
+        /// Why.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+    }
+
+    /// Things to do in order.
+    pub struct Procedure {
+        /// The word for it.
+        pub id: String,
+        /// What it achieves.
+        pub name: String,
+        /// What there is to know first.
+        pub about: Option<String>,
+        /// The steps.
+        pub steps: Vec<Step>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+    }
+
+    /// A step of a procedure.
+    pub struct Step {
+        /// What to do.
+        pub text: String,
+        /// The entry that it is done with.
+        pub address: Option<Address>,
+        /// The value to write.
+        pub write: Option<Value>,
+    }
+}

@@ -1,0 +1,223 @@
+//! The device as it is: every reference bound, every axis written out, every PDO laid out.
+//!
+//! The model is plain data. Where a thing was written is kept beside it as an
+//! [`Origin`](crate::source::Origin) and is not part of what the model says; all else is, and the JSON
+//! output is this model, word for word.
+
+mod axis;
+mod data_type;
+mod error;
+mod fact;
+mod front;
+mod index;
+mod mode;
+mod object;
+mod pattern;
+mod pdo;
+mod state;
+mod timing;
+mod transport;
+mod unit;
+mod value;
+mod word;
+
+pub use axis::{Area, Axis, Shift};
+pub use data_type::DataType;
+pub use error::{ErrorCode, VendorCode};
+pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source};
+pub use front::{Connector, Led, LedPattern, MasterSetting, Parameter, Procedure, Step};
+pub use index::{Address, Index};
+pub use mode::{Mode, ModeBits, ModeChange, MotionCommand, StopOption};
+pub use object::{Access, Category, Entry, Kind, Mappable, Object, Provenance, Trigger};
+pub use pattern::{Bit, Pattern};
+pub use pdo::{Direction, Mapped, Pdo};
+pub use state::{Answer, Command, CommunicationState, CommunicationTransition, Scope, State, Transition};
+pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
+pub use transport::{Eeprom, Mailbox, Role, SyncManager};
+pub use unit::{AxisUnit, Path, Scale, Unit};
+pub use value::Value;
+pub use word::{Field, Meaning, Word};
+
+use crate::source::Origin;
+
+/// Declares the derives that every part of the model has.
+macro_rules! model {
+    ($($item:item)*) => {
+        $(
+            #[derive(Debug, Clone, PartialEq)]
+            #[cfg_attr(feature = "json", derive(serde::Serialize))]
+            #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+            $item
+        )*
+    };
+}
+pub(crate) use model;
+
+model! {
+    /// Devices that share a description: the members of a family, or one device alone.
+    pub struct Family {
+        /// The name of the description's folder, and of its outputs.
+        pub id: String,
+        /// The devices, in the order in which they were written; never none.
+        pub members: Vec<Device>,
+    }
+
+    /// A drive.
+    pub struct Device {
+        /// The word for it; the family's id if it is alone.
+        pub id: String,
+        /// The name people order it by.
+        pub name: String,
+        /// The vendor's name.
+        pub vendor: String,
+        /// What it is, in one line.
+        pub title: Option<String>,
+        /// What it is, in a paragraph.
+        pub about: Option<String>,
+        /// The order numbers that share this description.
+        pub models: Vec<String>,
+        /// The group a configuration tool lists it under.
+        pub group: String,
+        /// The type as an ESI names it.
+        pub type_name: String,
+        /// The device profile it follows.
+        pub profile: Option<u32>,
+        /// One letter for each port as an ESI has it.
+        pub physics: String,
+        /// What 0x1018 and the EEPROM say.
+        pub identity: Identity,
+        /// The EEPROM.
+        pub eeprom: Eeprom,
+        /// The documents that facts are taken from; the first is the main one.
+        pub documents: Vec<Document>,
+        /// The axes, in order; one at least.
+        pub axes: Vec<Axis>,
+        /// Which objects exist once for each axis.
+        pub shifts: Vec<Shift>,
+        /// The distance between the PDOs of two axes.
+        pub pdo_shift: u16,
+        /// How the axes depend on each other.
+        pub coupling: Option<String>,
+        /// Titles of ranges of the dictionary, by index.
+        pub areas: Vec<Area>,
+        /// The object dictionary, by index.
+        pub objects: Vec<Object>,
+        /// The process data objects, by index: what the master sends, then what the device sends.
+        pub pdos: Vec<Pdo>,
+        /// The sync managers, by number.
+        pub sync_managers: Vec<SyncManager>,
+        /// The mailbox.
+        pub mailbox: Option<Mailbox>,
+        /// The words made of bits.
+        pub words: Vec<Word>,
+        /// The states of a drive, in the order of the standard.
+        pub states: Vec<State>,
+        /// The commands of the controlword.
+        pub commands: Vec<Command>,
+        /// The changes of state, by number.
+        pub transitions: Vec<Transition>,
+        /// The EtherCAT states.
+        pub communication_states: Vec<CommunicationState>,
+        /// The changes of the EtherCAT state.
+        pub communication_transitions: Vec<CommunicationTransition>,
+        /// The modes of operation, by code.
+        pub modes: Vec<Mode>,
+        /// The changes of mode that the device knows.
+        pub mode_changes: Vec<ModeChange>,
+        /// What stops the drive.
+        pub stop_options: Vec<StopOption>,
+        /// The error codes, by code.
+        pub errors: Vec<ErrorCode>,
+        /// Codes of the vendor's own system, by code.
+        pub vendor_codes: Vec<VendorCode>,
+        /// Units and scaling.
+        pub units: Vec<Unit>,
+        /// Ways to keep time with the master, the default first.
+        pub sync_modes: Vec<SyncMode>,
+        /// How often set values may come.
+        pub cycle_times: Vec<CycleTime>,
+        /// The time from a set value to its effect.
+        pub dead_time: Option<DeadTime>,
+        /// Lights.
+        pub leds: Vec<Led>,
+        /// Sockets.
+        pub connectors: Vec<Connector>,
+        /// Settings outside the dictionary.
+        pub parameters: Vec<Parameter>,
+        /// What is to be set in the master.
+        pub master_settings: Vec<MasterSetting>,
+        /// Things to do in order.
+        pub procedures: Vec<Procedure>,
+        /// What no source states.
+        pub assumptions: Vec<Assumption>,
+        /// Weaknesses of the sources that no rule can see.
+        pub remarks: Vec<Remark>,
+        /// Answers to findings of rules.
+        pub errata: Vec<Erratum>,
+        /// Where `[device]` stands.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// What 0x1018 and the EEPROM say.
+    pub struct Identity {
+        /// The vendor id.
+        pub vendor_id: u32,
+        /// The product code.
+        pub product_code: u32,
+        /// The revision number.
+        pub revision: u32,
+        /// The serial number of a device without one of its own.
+        pub serial: u32,
+        /// Where these facts are from.
+        pub source: Option<Source>,
+        /// Where `[identity]` stands.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+}
+
+impl Device {
+    /// The object of this index.
+    pub fn object(&self, index: Index) -> Option<&Object> {
+        let place = self.objects.binary_search_by_key(&index, |object| object.index).ok()?;
+        self.objects.get(place)
+    }
+
+    /// The entry of this address.
+    pub fn entry(&self, address: Address) -> Option<&Entry> {
+        self.object(address.index)?.entry(address.subindex)
+    }
+
+    /// The PDO of this index.
+    pub fn pdo(&self, index: Index) -> Option<&Pdo> {
+        self.pdos.iter().find(|pdo| pdo.index == index)
+    }
+
+    /// The PDOs of a direction.
+    pub fn pdos_of(&self, direction: Direction) -> impl Iterator<Item = &Pdo> {
+        self.pdos.iter().filter(move |pdo| pdo.direction == direction)
+    }
+
+    /// The sync manager of a role.
+    pub fn sync_manager(&self, role: Role) -> Option<&SyncManager> {
+        self.sync_managers.iter().find(|manager| manager.role == role)
+    }
+
+    /// The word of this id.
+    pub fn word(&self, id: &str) -> Option<&Word> {
+        self.words.iter().find(|word| word.id == id)
+    }
+
+    /// The unit of this id.
+    pub fn unit(&self, id: &str) -> Option<&Unit> {
+        self.units.iter().find(|unit| unit.id == id)
+    }
+
+    /// The bytes of the process image that a sync manager carries by default.
+    pub fn image_bytes(&self, role: Role) -> u32 {
+        let assigned = self.sync_manager(role).map_or(&[][..], |manager| &manager.pdos);
+        let bits: u32 = assigned.iter().filter_map(|index| self.pdo(*index)).map(Pdo::bits).sum();
+        bits.div_ceil(8)
+    }
+}

@@ -1,0 +1,100 @@
+//! Modes of operation.
+
+use super::{Address, Field, Source, model};
+use crate::source::Origin;
+
+model! {
+    /// A mode of operation.
+    pub struct Mode {
+        /// Its code in 0x6060.
+        pub code: i16,
+        /// Other codes that select it.
+        pub aliases: Vec<i16>,
+        /// The word for it, such as `csp`.
+        pub id: String,
+        /// Its name.
+        pub name: String,
+        /// What the drive does in it.
+        pub about: Option<String>,
+        /// Whether the master sends a new set value every cycle.
+        pub cyclic: bool,
+        /// The bit of 0x6502 that announces it.
+        pub supported_bit: Option<u8>,
+        /// The entries that it uses, on the first axis.
+        pub objects: Vec<Address>,
+        /// What it makes of bits of the controlword.
+        pub control_bits: ModeBits,
+        /// What it makes of bits of the statusword.
+        pub status_bits: ModeBits,
+        /// What must be so before it is chosen.
+        pub conditions: Vec<String>,
+        /// What a user should know.
+        pub cautions: Vec<String>,
+        /// The motion commands that the drive runs for it.
+        pub commands: Vec<MotionCommand>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// Bits of a word with the meaning that a mode gives them, lowest first.
+    #[derive(Default)]
+    #[cfg_attr(feature = "json", serde(transparent))]
+    pub struct ModeBits {
+        /// The bits.
+        pub fields: Vec<Field>,
+    }
+
+    /// A command of the motion core that a mode runs.
+    pub struct MotionCommand {
+        /// Its number.
+        pub code: Option<u16>,
+        /// Its name.
+        pub name: String,
+        /// The setting that chooses it within the mode.
+        pub when: Option<String>,
+        /// What it does.
+        pub about: Option<String>,
+        /// What is controlled.
+        pub control: Option<String>,
+        /// The motion variables it needs.
+        pub variables: Vec<String>,
+    }
+
+    /// A change of mode that the device knows.
+    pub struct ModeChange {
+        /// The modes before; any if empty.
+        pub from: Vec<i16>,
+        /// The modes after; any if empty.
+        pub to: Vec<i16>,
+        /// When it has worked.
+        pub done_when: Option<String>,
+        /// When it ends in a fault.
+        pub fault_when: Option<String>,
+        /// What else is to be said.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// What stops the drive, and how.
+    pub struct StopOption {
+        /// What happens to the drive.
+        pub action: String,
+        /// The transitions it goes through.
+        pub transitions: Vec<u8>,
+        /// What the drive does.
+        pub reaction: String,
+        /// How it slows down.
+        pub ramp: Option<String>,
+        /// What else is to be said.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+    }
+}

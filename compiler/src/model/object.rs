@@ -1,0 +1,201 @@
+//! The object dictionary.
+
+use super::{Address, DataType, Index, Meaning, Source, Value, model};
+use crate::source::Origin;
+
+model! {
+    /// An object: an index, and one value or several under it.
+    pub struct Object {
+        /// Its index.
+        pub index: Index,
+        /// The word by which it is referred to; the same on every axis.
+        pub id: String,
+        /// Its name.
+        pub name: String,
+        /// What it is made of.
+        pub kind: Kind,
+        /// The axis it belongs to, if it exists once for each.
+        pub axis: Option<u8>,
+        /// Whether a profile demands it.
+        pub category: Category,
+        /// What it is for.
+        pub about: Option<String>,
+        /// What else is to be said of it here.
+        pub note: Option<String>,
+        /// False if it exists for compatibility only and does nothing.
+        pub functional: bool,
+        /// The vendor's own name of the parameter behind it.
+        pub parameter: Option<String>,
+        /// The entries by subindex; subindex 0 is always there.
+        pub entries: Vec<Entry>,
+        /// Who says that it is there.
+        pub provenance: Provenance,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// A value that an index and a subindex name.
+    pub struct Entry {
+        /// Its address.
+        pub address: Address,
+        /// The word for it, unique within the object.
+        pub id: String,
+        /// Its name.
+        pub name: String,
+        /// Its type.
+        pub data_type: DataType,
+        /// Who says that this is its type.
+        pub type_provenance: Provenance,
+        /// Who may read and write it.
+        pub access: Access,
+        /// The process data it can be mapped to.
+        pub pdo: Mappable,
+        /// Whether a profile demands it.
+        pub category: Category,
+        /// The unit of its value, by id.
+        pub unit: Option<String>,
+        /// The value after start-up.
+        pub default: Option<Value>,
+        /// The least value.
+        pub min: Option<Value>,
+        /// The greatest value.
+        pub max: Option<Value>,
+        /// What single values mean.
+        pub values: Vec<Meaning>,
+        /// The change of the EtherCAT state during which it may be written; any time if none.
+        pub written: Option<String>,
+        /// What it is for.
+        pub about: Option<String>,
+        /// What else is to be said of it here.
+        pub note: Option<String>,
+        /// False if it exists for compatibility only and does nothing.
+        pub functional: bool,
+        /// What writing it sets off.
+        pub trigger: Option<Trigger>,
+        /// The vendor's own name of the parameter behind it.
+        pub parameter: Option<String>,
+        /// Where its facts are from, if not where the object's are.
+        pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// What writing a value sets off.
+    pub struct Trigger {
+        /// The value to write.
+        pub value: Value,
+        /// What it does.
+        pub action: String,
+        /// The mode of operation that must be active.
+        pub mode: Option<i16>,
+        /// The objects that it takes its data from.
+        pub uses: Vec<Address>,
+        /// The objects that it changes.
+        pub updates: Vec<Address>,
+    }
+
+    /// What an object is made of.
+    #[derive(Copy, Eq)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Kind {
+        /// One value at subindex 0.
+        Var,
+        /// Values of one type from subindex 1 on.
+        Array,
+        /// Values of different types from subindex 1 on.
+        Record,
+    }
+
+    /// Who may read and write a value.
+    #[derive(Copy, Eq)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Access {
+        /// Read only.
+        Ro,
+        /// Write only.
+        Wo,
+        /// Read and write.
+        Rw,
+        /// Read only and never different.
+        Const,
+    }
+
+    /// The process data a value can be mapped to.
+    #[derive(Copy, Eq)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Mappable {
+        /// None.
+        None,
+        /// What the master sends.
+        Rx,
+        /// What the device sends.
+        Tx,
+        /// Both.
+        RxTx,
+    }
+
+    /// Whether a profile demands an object.
+    #[derive(Copy, Eq)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Category {
+        /// Always.
+        Mandatory,
+        /// Never.
+        Optional,
+        /// If something else is there.
+        Conditional,
+    }
+
+    /// Who says so.
+    #[derive(Copy, Eq)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Provenance {
+        /// The description of the device.
+        Device,
+        /// A standard profile.
+        Profile,
+        /// Nobody: it follows from the PDOs or from the number of entries.
+        Derived,
+    }
+}
+
+impl Object {
+    /// The entry of this subindex.
+    pub fn entry(&self, subindex: u8) -> Option<&Entry> {
+        let place = self.entries.binary_search_by_key(&subindex, |entry| entry.address.subindex).ok()?;
+        self.entries.get(place)
+    }
+
+    /// The greatest subindex there is.
+    pub fn highest_subindex(&self) -> u8 {
+        self.entries.last().map_or(0, |entry| entry.address.subindex)
+    }
+}
+
+impl Access {
+    /// Whether a master can read it.
+    pub fn readable(self) -> bool {
+        self != Self::Wo
+    }
+
+    /// Whether a master can write it.
+    pub fn writable(self) -> bool {
+        matches!(self, Self::Wo | Self::Rw)
+    }
+}
+
+impl Mappable {
+    /// Whether it can be in what the master sends.
+    pub fn rx(self) -> bool {
+        matches!(self, Self::Rx | Self::RxTx)
+    }
+
+    /// Whether it can be in what the device sends.
+    pub fn tx(self) -> bool {
+        matches!(self, Self::Tx | Self::RxTx)
+    }
+}

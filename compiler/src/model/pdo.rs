@@ -1,0 +1,82 @@
+//! Process data objects.
+
+use super::{Address, DataType, Index, Source, model};
+use crate::source::{Location, Origin};
+
+model! {
+    /// A process data object.
+    pub struct Pdo {
+        /// Its index.
+        pub index: Index,
+        /// Who sends it.
+        pub direction: Direction,
+        /// Its name.
+        pub name: String,
+        /// The axis it is for, if each has one.
+        pub axis: Option<u8>,
+        /// What is in it, in order.
+        pub entries: Vec<Mapped>,
+        /// Whether its mapping cannot be changed.
+        pub fixed: bool,
+        /// Whether it cannot be taken out of its sync manager.
+        pub mandatory: bool,
+        /// The PDOs that cannot be assigned together with it, by index.
+        pub excludes: Vec<Index>,
+        /// The mode of operation it is meant for.
+        pub mode: Option<i16>,
+        /// The number of bytes that the manual gives for it.
+        pub total: Option<u16>,
+        /// The largest number of bytes it can be mapped to.
+        pub max_bytes: Option<u16>,
+        /// The largest number of entries it can be mapped to.
+        pub max_entries: Option<u8>,
+        /// What it is for.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// An entry of a PDO.
+    pub struct Mapped {
+        /// What is mapped; none for padding.
+        pub address: Option<Address>,
+        /// Its name.
+        pub name: String,
+        /// The word for it, unique within the PDO.
+        pub id: String,
+        /// The first bit within the PDO.
+        pub offset: u32,
+        /// The width in bits.
+        pub bits: u32,
+        /// The type; none for padding, and for what is not in the dictionary.
+        pub data_type: Option<DataType>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub at: Location,
+    }
+
+    /// Who sends a PDO.
+    #[derive(Copy, Eq, PartialOrd, Ord)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Direction {
+        /// The master: a receive PDO, an output.
+        Rx,
+        /// The device: a transmit PDO, an input.
+        Tx,
+    }
+}
+
+impl Pdo {
+    /// The width in bits.
+    pub fn bits(&self) -> u32 {
+        self.entries.iter().map(|entry| entry.bits).sum()
+    }
+
+    /// The width in whole bytes.
+    pub fn bytes(&self) -> u32 {
+        self.bits().div_ceil(8)
+    }
+}

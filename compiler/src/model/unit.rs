@@ -1,0 +1,62 @@
+//! Units and scaling.
+
+use super::{Address, Source, model};
+use crate::source::Origin;
+
+model! {
+    /// What a raw number means.
+    pub struct Unit {
+        /// The word for it.
+        pub id: String,
+        /// The physical quantity.
+        pub quantity: String,
+        /// What it is on each axis, in order; one for all if there is only one.
+        pub axes: Vec<AxisUnit>,
+        /// The object that holds the scaling, on the first axis.
+        pub factor: Option<Address>,
+        /// How the values travel; either way if none.
+        pub path: Option<Path>,
+        /// What else is to be said.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// What a raw number means on an axis.
+    #[derive(Eq)]
+    pub struct AxisUnit {
+        /// The unit of the scaled value.
+        pub symbol: String,
+        /// Raw steps to one unit; the raw number is in units if none.
+        pub scale: Option<Scale>,
+    }
+
+    /// Raw steps to one unit, as a fraction in lowest terms.
+    #[derive(Copy, Eq)]
+    pub struct Scale {
+        /// Raw steps.
+        pub raw: u64,
+        /// The units that they make.
+        pub units: u64,
+    }
+
+    /// How a value travels.
+    #[derive(Copy, Eq)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Path {
+        /// In process data.
+        Pdo,
+        /// Through the mailbox.
+        Sdo,
+    }
+}
+
+impl Unit {
+    /// What it is on an axis, or for the whole device.
+    pub fn on(&self, axis: Option<u8>) -> Option<&AxisUnit> {
+        axis.and_then(|axis| self.axes.get(usize::from(axis))).or(self.axes.first())
+    }
+}

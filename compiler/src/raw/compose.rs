@@ -1,0 +1,86 @@
+//! One tree out of the description, its profiles, and what differs for a member of a family.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::source::{Member, Node, Table, Value};
+
+/// Lays each entity of `root` over the entity of the same key in `profile`.
+///
+/// What `root` does not mention stays out: a profile is a store of things to refer to, not a list of things
+/// that a device has.
+pub(super) fn over_profile(root: &Table, profile: &Table) -> Table {
+    let members = root
+        .members
+        .iter()
+        .map(|section| match (section.node.table(), profile.get(&section.key.name)) {
+            (Some(entities), Some(base)) => with(section, section_over(entities, base)),
+            _ => section.clone(),
+        })
+        .collect();
+    Table { at: root.at, members }
+}
+
+fn section_over(entities: &Table, base: &Member) -> Table {
+    let known: HashMap<String, &Node> = base
+        .node
+        .table()
+        .map(|table| table.members.iter().map(|member| (normal(&member.key.name), &member.node)).collect())
+        .unwrap_or_default();
+    let members = entities
+        .members
+        .iter()
+        .map(|entity| {
+            let lower = known.get(&normal(&entity.key.name)).and_then(|node| node.table());
+            match (entity.node.table(), lower) {
+                (Some(upper), Some(lower)) => with(entity, upper.over(lower)),
+                _ => entity.clone(),
+            }
+        })
+        .collect();
+    Table { at: entities.at, members }
+}
+
+/// The member of the family laid over what all members share.
+pub(super) fn over_family(root: &Table, member: &Table) -> Table {
+    let mut shared = root.clone();
+    shared.members.retain(|section| &*section.key.name != "members");
+    member.over(&shared)
+}
+
+/// The tree without what stands at `path`, and whether there was anything.
+pub(super) fn without(table: &Table, path: &str) -> (Table, bool) {
+    let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
+    let mut found = false;
+    let members = table
+        .members
+        .iter()
+        .filter_map(|member| {
+            let inner = member.node.table();
+            match (rest, inner) {
+                _ if normal(&member.key.name) != normal(first) => Some(member.clone()),
+                (None, _) => {
+                    found = true;
+                    None
+                }
+                (Some(rest), Some(inner)) => {
+                    let (inner, hit) = without(inner, rest);
+                    found |= hit;
+                    Some(with(member, inner))
+                }
+                (Some(_), None) => Some(member.clone()),
+            }
+        })
+        .collect();
+    (Table { at: table.at, members }, found)
+}
+
+fn with(member: &Member, table: Table) -> Member {
+    let node = Node { at: member.node.at, value: Value::Table(Arc::new(table)) };
+    Member { key: member.key.clone(), node }
+}
+
+/// A key in one spelling: `0x607a` and `0x607A` name the same object.
+fn normal(key: &str) -> String {
+    key.to_ascii_uppercase()
+}

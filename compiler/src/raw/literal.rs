@@ -1,0 +1,129 @@
+//! Single values that TOML has no type of its own for.
+
+use serde::Deserialize;
+use serde::de::{self, Deserializer, Visitor};
+
+/// A value of an object, in the type that TOML gave it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Literal {
+    /// `true` or `false`.
+    Boolean(bool),
+    /// A whole number.
+    Integer(i128),
+    /// A number with a fraction.
+    Float(f64),
+    /// Text.
+    Text(String),
+}
+
+impl Default for Literal {
+    fn default() -> Self {
+        Self::Integer(0)
+    }
+}
+
+impl<'de> Deserialize<'de> for Literal {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Any;
+        impl Visitor<'_> for Any {
+            type Value = Literal;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a number, a string or a boolean")
+            }
+
+            fn visit_bool<E: de::Error>(self, value: bool) -> Result<Literal, E> {
+                Ok(Literal::Boolean(value))
+            }
+
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Literal, E> {
+                Ok(Literal::Integer(value.into()))
+            }
+
+            fn visit_i128<E: de::Error>(self, value: i128) -> Result<Literal, E> {
+                Ok(Literal::Integer(value))
+            }
+
+            fn visit_u64<E: de::Error>(self, value: u64) -> Result<Literal, E> {
+                Ok(Literal::Integer(value.into()))
+            }
+
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Literal, E> {
+                Ok(Literal::Float(value))
+            }
+
+            fn visit_str<E: de::Error>(self, value: &str) -> Result<Literal, E> {
+                Ok(Literal::Text(value.to_owned()))
+            }
+        }
+        deserializer.deserialize_any(Any)
+    }
+}
+
+/// A number as a fraction of whole numbers: `100000`, or `"4294967296/30720000"`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Fraction {
+    /// Above the line.
+    pub numerator: u64,
+    /// Below the line; never 0.
+    pub denominator: u64,
+}
+
+impl<'de> Deserialize<'de> for Fraction {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let fraction = match Literal::deserialize(deserializer)? {
+            Literal::Integer(whole) => u64::try_from(whole).ok().map(|numerator| (numerator, 1)),
+            Literal::Text(text) => text
+                .split_once('/')
+                .and_then(|(above, below)| Some((above.trim().parse().ok()?, below.trim().parse().ok()?))),
+            Literal::Boolean(_) | Literal::Float(_) => None,
+        };
+        match fraction {
+            Some((numerator, denominator)) if numerator > 0 && denominator > 0 => {
+                Ok(Self { numerator, denominator })
+            }
+            _ => Err(de::Error::custom("expected a positive whole number or a fraction such as \"1/100000\"")),
+        }
+    }
+}
+
+/// A time in nanoseconds, written with its unit: `"250 us"`, `"1 ms"`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Duration(pub u64);
+
+impl<'de> Deserialize<'de> for Duration {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let digits = text.trim_end_matches(|c: char| !c.is_ascii_digit());
+        let factor = match text.get(digits.len()..).map(str::trim) {
+            Some("ns") => Some(1),
+            Some("us" | "µs") => Some(1_000),
+            Some("ms") => Some(1_000_000),
+            Some("s") => Some(1_000_000_000),
+            _ => None,
+        };
+        let count = digits.parse::<u64>().ok();
+        factor.zip(count).and_then(|(factor, count)| count.checked_mul(factor)).map(Self).ok_or_else(|| {
+            de::Error::custom("expected a time with its unit, such as \"250 us\" or \"1 ms\"")
+        })
+    }
+}
+
+/// Bytes in hexadecimal: `"050E 03EE"`.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Hex(pub Vec<u8>);
+
+impl<'de> Deserialize<'de> for Hex {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let digits: Vec<char> = text.chars().filter(|c| !c.is_whitespace()).collect();
+        let bytes: Option<Vec<u8>> = digits
+            .chunks(2)
+            .map(|pair| u8::from_str_radix(&pair.iter().collect::<String>(), 16).ok())
+            .collect();
+        match bytes {
+            Some(bytes) if digits.len() % 2 == 0 => Ok(Self(bytes)),
+            _ => Err(de::Error::custom("expected pairs of hexadecimal digits, such as \"050E03EE\"")),
+        }
+    }
+}

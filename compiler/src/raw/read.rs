@@ -1,0 +1,266 @@
+//! From the tree to raw structs, each table on its own.
+
+use std::sync::Arc;
+
+use serde::de::DeserializeOwned;
+
+use super::decode::Reader;
+use super::{Entity, LintSetting, ObjectEntity, RawDevice, RawEntry, RawFacts, compose};
+use crate::diagnostic::{Diagnostic, Diagnostics, faults};
+use crate::source::{Document, Location, Member, Node, Origin, Table, Value};
+
+/// Decodes a description: one [`RawDevice`] for each member of a family, or just one.
+///
+/// Every bad table is reported, not only the first; nothing comes back if a table that all else needs is
+/// missing.
+pub fn read(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<RawDevice> {
+    let members = document.root.get("members").and_then(|member| member.node.table());
+    let trees: Vec<(String, Table)> = match members {
+        None => vec![(id.to_owned(), document.root.clone())],
+        Some(members) => members
+            .members
+            .iter()
+            .filter_map(|member| {
+                let overlay = member.node.table()?;
+                Some((member.key.name.to_string(), compose::over_family(&document.root, overlay)))
+            })
+            .collect(),
+    };
+    trees
+        .into_iter()
+        .filter_map(|(id, tree)| {
+            let tree = strip(compose::over_profile(&tree, &document.profile), diagnostics);
+            device(id, &tree, diagnostics)
+        })
+        .collect()
+}
+
+/// Takes out what `without` names.
+fn strip(mut tree: Table, diagnostics: &mut Diagnostics) -> Table {
+    let Some(list) = tree.get("without").cloned() else { return tree };
+    let Value::Array(paths) = &list.node.value else { return tree };
+    for path in paths.iter() {
+        if let Value::String(text) = &path.value {
+            let (rest, found) = compose::without(&tree, text);
+            tree = rest;
+            if !found {
+                let message = format!("nothing stands at `{text}`");
+                diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, path.at, "cannot be left out"));
+            }
+        }
+    }
+    tree.members.retain(|member| &*member.key.name != "without");
+    tree
+}
+
+fn device(id: String, tree: &Table, diagnostics: &mut Diagnostics) -> Option<RawDevice> {
+    let mut sections = Sections { tree, known: Vec::new(), diagnostics };
+    let head = sections.required("device");
+    let identity = sections.required("identity");
+    let device = RawDevice {
+        id,
+        eeprom: sections.single("eeprom"),
+        axes: sections.single("axes"),
+        mailbox: sections.single("mailbox"),
+        dead_time: sections.single("dead-time"),
+        documents: sections.map("documents"),
+        areas: sections.map("areas"),
+        objects: sections.objects(),
+        rx_pdos: sections.map("rx-pdos"),
+        tx_pdos: sections.map("tx-pdos"),
+        sync_managers: sections.map("sync-managers"),
+        words: sections.map("words"),
+        states: sections.map("states"),
+        commands: sections.map("commands"),
+        transitions: sections.map("transitions"),
+        communication_states: sections.map("communication-states"),
+        communication_transitions: sections.map("communication-transitions"),
+        modes: sections.map("modes"),
+        mode_changes: sections.list("mode-changes"),
+        stop_options: sections.list("stop-options"),
+        errors: sections.map("errors"),
+        vendor_codes: sections.map("vendor-codes"),
+        units: sections.map("units"),
+        sync_modes: sections.map("sync-modes"),
+        cycle_times: sections.map("cycle-times"),
+        leds: sections.map("leds"),
+        connectors: sections.map("connectors"),
+        parameters: sections.map("parameters"),
+        master_settings: sections.list("master-settings"),
+        procedures: sections.map("procedures"),
+        remarks: sections.list("remarks"),
+        errata: sections.list("errata"),
+        lints: sections.lints(),
+        head: head?,
+        identity: identity?,
+    };
+    sections.finish();
+    Some(device)
+}
+
+/// The top level of the tree while it is being read.
+struct Sections<'t> {
+    tree: &'t Table,
+    known: Vec<&'static str>,
+    diagnostics: &'t mut Diagnostics,
+}
+
+impl Sections<'_> {
+    fn take(&mut self, name: &'static str) -> Option<Member> {
+        self.known.push(name);
+        self.tree.get(name).cloned()
+    }
+
+    fn required<T: DeserializeOwned>(&mut self, name: &'static str) -> Option<Entity<T>> {
+        if self.tree.get(name).is_none() {
+            let message = format!("the description has no `[{name}]`");
+            let missing = Diagnostic::new(&faults::MISSING_KEY, message, self.tree.at, "in this description");
+            self.diagnostics.push(missing);
+        }
+        self.single(name)
+    }
+
+    fn single<T: DeserializeOwned>(&mut self, name: &'static str) -> Option<Entity<T>> {
+        let member = self.take(name)?;
+        entity(name, member.key.at, &member.node, self.diagnostics)
+    }
+
+    fn map<T: DeserializeOwned>(&mut self, name: &'static str) -> Vec<Entity<T>> {
+        let Some(section) = self.take(name) else { return Vec::new() };
+        self.members(&section)
+            .iter()
+            .filter_map(|m| entity(&m.key.name, m.key.at, &m.node, self.diagnostics))
+            .collect()
+    }
+
+    fn list<T: DeserializeOwned>(&mut self, name: &'static str) -> Vec<Entity<T>> {
+        let Some(section) = self.take(name) else { return Vec::new() };
+        let Value::Array(items) = &section.node.value else {
+            self.wrong(&section.node, "an array of tables");
+            return Vec::new();
+        };
+        let entities = items.iter().enumerate();
+        entities.filter_map(|(i, node)| entity(&i.to_string(), node.at, node, self.diagnostics)).collect()
+    }
+
+    fn objects(&mut self) -> Vec<ObjectEntity> {
+        let Some(section) = self.take("objects") else { return Vec::new() };
+        self.members(&section)
+            .iter()
+            .filter_map(|m| object(&m.key.name, m.key.at, &m.node, self.diagnostics))
+            .collect()
+    }
+
+    fn lints(&mut self) -> Vec<LintSetting> {
+        let Some(section) = self.take("lints") else { return Vec::new() };
+        let mut settings = Vec::new();
+        for member in self.members(&section) {
+            match &member.node.value {
+                Value::String(level) => settings.push(LintSetting {
+                    name: member.key.name.to_string(),
+                    level: level.to_string(),
+                    name_at: member.key.at,
+                    level_at: member.node.at,
+                }),
+                _ => self.wrong(&member.node, "`\"allow\"`, `\"warn\"` or `\"deny\"`"),
+            }
+        }
+        settings
+    }
+
+    fn members(&mut self, section: &Member) -> Vec<Member> {
+        match section.node.table() {
+            Some(table) => table.members.clone(),
+            None => {
+                self.wrong(&section.node, "a table");
+                Vec::new()
+            }
+        }
+    }
+
+    fn wrong(&mut self, node: &Node, expected: &str) {
+        self.diagnostics.push(wrong_type(node, expected));
+    }
+
+    /// Reports sections that the format does not know.
+    fn finish(mut self) {
+        self.known.extend(["include", "profiles", "source"]);
+        for member in &self.tree.members {
+            if !self.known.contains(&&*member.key.name) {
+                self.diagnostics.push(super::decode::unknown_key(&member.key, &self.known));
+            }
+        }
+    }
+}
+
+fn wrong_type(node: &Node, expected: &str) -> Diagnostic {
+    let found = node.value.kind();
+    let message = format!("expected {expected}, found {found}");
+    Diagnostic::new(&faults::WRONG_TYPE, message, node.at, format!("this is {found}"))
+}
+
+fn table_of(node: &Node, diagnostics: &mut Diagnostics) -> Option<Arc<Table>> {
+    let table = node.table().cloned();
+    if table.is_none() {
+        diagnostics.push(wrong_type(node, "a table"));
+    }
+    table
+}
+
+fn entity<T: DeserializeOwned>(
+    key: &str,
+    header: Location,
+    node: &Node,
+    diagnostics: &mut Diagnostics,
+) -> Option<Entity<T>> {
+    let table = table_of(node, diagnostics)?;
+    let mut reader = Reader::new(&table, diagnostics);
+    let raw = reader.part();
+    let facts = reader.part::<RawFacts>();
+    reader.finish();
+    Some(Entity { key: key.to_owned(), origin: Origin::new(header, table), raw: raw?, facts: facts? })
+}
+
+fn object(
+    key: &str,
+    header: Location,
+    node: &Node,
+    diagnostics: &mut Diagnostics,
+) -> Option<ObjectEntity> {
+    let table = table_of(node, diagnostics)?;
+    let mut reader = Reader::new(&table, diagnostics);
+    let raw = reader.part();
+    let value = reader.part::<RawEntry>();
+    let facts = reader.part::<RawFacts>();
+    reader.finish();
+    let entries = inner(&table, "entries")
+        .iter()
+        .filter_map(|m| entity(&m.key.name, m.key.at, &m.node, diagnostics))
+        .collect();
+    let per_axis = per_axis(key, header, &table, diagnostics);
+    let object = Entity { key: key.to_owned(), origin: Origin::new(header, table), raw: raw?, facts: facts? };
+    Some(ObjectEntity { object, value: value?, entries, per_axis })
+}
+
+fn per_axis(
+    key: &str,
+    header: Location,
+    table: &Table,
+    diagnostics: &mut Diagnostics,
+) -> Vec<(String, ObjectEntity)> {
+    let mut shared = table.clone();
+    shared.members.retain(|member| &*member.key.name != "per-axis");
+    inner(table, "per-axis")
+        .iter()
+        .filter_map(|axes| {
+            let overlay = table_of(&axes.node, diagnostics)?;
+            let node = Node { at: axes.node.at, value: Value::Table(Arc::new(overlay.over(&shared))) };
+            Some((axes.key.name.to_string(), object(key, header, &node, diagnostics)?))
+        })
+        .collect()
+}
+
+/// The members of a table inside a table.
+fn inner<'t>(table: &'t Table, name: &str) -> &'t [Member] {
+    table.get(name).and_then(|member| member.node.table()).map_or(&[], |table| &table.members)
+}

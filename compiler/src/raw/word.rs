@@ -1,0 +1,92 @@
+//! Words made of bits: `[words.<id>]`.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use serde::de::{self, Deserializer, MapAccess, Visitor};
+
+/// `[words.<id>]`: the bits of an object.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct RawWord {
+    /// The object or entry whose bits these are; the id is its name if absent.
+    pub object: Option<String>,
+    /// Its name; the object's if absent.
+    pub name: Option<String>,
+    /// The bits, `"0"`, or groups of bits, `"4..=6"`.
+    #[serde(default)]
+    pub bits: BTreeMap<String, RawField>,
+    /// What else is to be said of it.
+    pub about: Option<String>,
+}
+
+/// A bit, a group of bits, or a single value: its name alone, or a table.
+#[derive(Debug, Default)]
+pub struct RawField {
+    /// Its name.
+    pub name: String,
+    /// What it says or does.
+    pub about: Option<String>,
+    /// What its values mean.
+    pub values: BTreeMap<String, RawField>,
+    /// What happens when it goes from 0 to 1.
+    pub rising: Option<String>,
+    /// What happens when it goes from 1 to 0.
+    pub falling: Option<String>,
+    /// Whether it has no meaning.
+    pub reserved: bool,
+    /// Whether its meaning depends on the mode of operation, see `control-bits` and `status-bits` of a mode.
+    pub per_mode: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case")]
+struct FieldTable {
+    name: Option<String>,
+    about: Option<String>,
+    #[serde(default)]
+    values: BTreeMap<String, RawField>,
+    rising: Option<String>,
+    falling: Option<String>,
+    #[serde(default)]
+    reserved: bool,
+    #[serde(default)]
+    per_mode: bool,
+}
+
+impl<'de> Deserialize<'de> for RawField {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Field;
+        impl<'de> Visitor<'de> for Field {
+            type Value = RawField;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a name, or a table with a `name`")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<RawField, E> {
+                Ok(RawField { name: text.to_owned(), ..RawField::default() })
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<RawField, A::Error> {
+                let table = FieldTable::deserialize(de::value::MapAccessDeserializer::new(map))?;
+                let unnamed = if table.reserved { "reserved" } else { "mode-specific" };
+                let name = match table.name {
+                    Some(name) => name,
+                    None if table.reserved || table.per_mode => unnamed.to_owned(),
+                    None => return Err(de::Error::missing_field("name")),
+                };
+                Ok(RawField {
+                    name,
+                    about: table.about,
+                    values: table.values,
+                    rising: table.rising,
+                    falling: table.falling,
+                    reserved: table.reserved,
+                    per_mode: table.per_mode,
+                })
+            }
+        }
+        deserializer.deserialize_any(Field)
+    }
+}
