@@ -1,0 +1,97 @@
+//! From a command to controlwords.
+
+use super::Pattern;
+
+/// A change of one bit from a cycle to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Edge {
+    /// The bit of this mask goes from 0 to 1.
+    Rising(u16),
+    /// The bit of this mask goes from 1 to 0.
+    Falling(u16),
+}
+
+impl Edge {
+    /// Whether the change happened between two words.
+    #[inline]
+    pub const fn happened(self, previous: u16, current: u16) -> bool {
+        match self {
+            Self::Rising(mask) => !previous & current & mask != 0,
+            Self::Falling(mask) => previous & !current & mask != 0,
+        }
+    }
+
+    /// The word with the bit as it is before the change.
+    #[inline]
+    #[must_use]
+    pub const fn before(self, word: u16) -> u16 {
+        match self {
+            Self::Rising(mask) => word & !mask,
+            Self::Falling(mask) => word | mask,
+        }
+    }
+
+    /// The word with the bit as it is after the change.
+    #[inline]
+    #[must_use]
+    pub const fn after(self, word: u16) -> u16 {
+        match self {
+            Self::Rising(mask) => word | mask,
+            Self::Falling(mask) => word & !mask,
+        }
+    }
+}
+
+/// A command to the state machine, given with the controlword 0x6040 (CiA 402, controlword, command coding).
+///
+/// Commands may share a pattern, as "switch on" and "disable operation" do: the state decides which one it is.
+///
+/// A command with an edge takes two words, so that a held bit is never a second command:
+///
+/// ```
+/// use devc_runtime::cia402::{Command, Edge, Pattern};
+///
+/// const FAULT_RESET: Command = Command {
+///     name: "fault reset",
+///     pattern: Pattern { mask: 0x0080, value: 0x0080 },
+///     edge: Some(Edge::Rising(0x0080)),
+///     transitions: &[15],
+/// };
+///
+/// let (first, second) = (FAULT_RESET.prepare(0x0086), FAULT_RESET.apply(0x0086));
+/// assert_eq!((first, second), (0x0006, 0x0086));
+/// assert!(FAULT_RESET.is_given(first, second));
+/// assert!(!FAULT_RESET.is_given(second, second));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Command {
+    /// The name that the manual uses.
+    pub name: &'static str,
+    /// The controlword while the command is given.
+    pub pattern: Pattern,
+    /// The change that gives it, if the pattern alone does not.
+    pub edge: Option<Edge>,
+    /// The numbers of the transitions that it may trigger.
+    pub transitions: &'static [u8],
+}
+
+impl Command {
+    /// Whether the step from the previous to the current controlword gives the command.
+    #[inline]
+    pub fn is_given(&self, previous: u16, current: u16) -> bool {
+        self.pattern.matches(current) && self.edge.is_none_or(|edge| edge.happened(previous, current))
+    }
+
+    /// The controlword that gives the command, with all bits that it does not use as they are in `controlword`.
+    #[inline]
+    pub fn apply(&self, controlword: u16) -> u16 {
+        let word = self.pattern.apply(controlword);
+        self.edge.map_or(word, |edge| edge.after(word))
+    }
+
+    /// The controlword to send a cycle before [`apply`](Self::apply), so that an edge can happen.
+    #[inline]
+    pub fn prepare(&self, controlword: u16) -> u16 {
+        self.edge.map_or(controlword, |edge| edge.before(controlword))
+    }
+}

@@ -1,0 +1,80 @@
+//! Values as they are on the wire.
+
+use crate::bytes::{ByteArray, WrongLength};
+use crate::sdo::DataType;
+
+/// A type of fixed size with its encoding: little-endian, integers in two's complement, floats as IEEE 754
+/// (CiA 301, data types and encoding rules; ETG.1000.6, data types).
+///
+/// Generated words and codes implement it too, in terms of the integer that they wrap.
+///
+/// ```
+/// use devc_runtime::object::Value;
+///
+/// assert_eq!((-2_i16).to_bytes(), [0xFE, 0xFF]);
+/// assert_eq!(u32::from_slice(&[1, 0, 0, 0]), Ok(1));
+/// assert_eq!(u32::from_slice(&[1, 0]).unwrap_err().to_string(), "expected 4 bytes, found 2");
+/// ```
+pub trait Value: Copy {
+    /// The encoded value, an array of its size.
+    type Bytes: ByteArray;
+
+    /// Bytes that the value takes in an SDO.
+    const SIZE: usize = <Self::Bytes as ByteArray>::LEN;
+
+    /// The type's number in the dictionary.
+    const DATA_TYPE: DataType;
+
+    /// Encodes the value.
+    fn to_bytes(self) -> Self::Bytes;
+
+    /// Decodes a value.
+    fn from_bytes(bytes: Self::Bytes) -> Self;
+
+    /// Decodes a value from data that has to be just as long.
+    #[inline]
+    fn from_slice(bytes: &[u8]) -> Result<Self, WrongLength> {
+        Self::Bytes::from_slice(bytes).map(|bytes| Self::from_bytes(*bytes))
+    }
+}
+
+macro_rules! little_endian {
+    ($($type:ty = $data_type:ident),+ $(,)?) => {$(
+        impl Value for $type {
+            type Bytes = [u8; size_of::<$type>()];
+            const DATA_TYPE: DataType = DataType::$data_type;
+
+            #[inline]
+            fn to_bytes(self) -> Self::Bytes {
+                self.to_le_bytes()
+            }
+
+            #[inline]
+            fn from_bytes(bytes: Self::Bytes) -> Self {
+                Self::from_le_bytes(bytes)
+            }
+        }
+    )+};
+}
+
+little_endian! {
+    u8 = UNSIGNED8, u16 = UNSIGNED16, u32 = UNSIGNED32, u64 = UNSIGNED64,
+    i8 = INTEGER8, i16 = INTEGER16, i32 = INTEGER32, i64 = INTEGER64,
+    f32 = REAL32, f64 = REAL64,
+}
+
+/// One byte in an SDO; every byte but 0 is read as true, 1 is written.
+impl Value for bool {
+    type Bytes = [u8; 1];
+    const DATA_TYPE: DataType = DataType::BOOLEAN;
+
+    #[inline]
+    fn to_bytes(self) -> Self::Bytes {
+        [u8::from(self)]
+    }
+
+    #[inline]
+    fn from_bytes([byte]: Self::Bytes) -> Self {
+        byte != 0
+    }
+}
