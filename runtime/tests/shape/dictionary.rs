@@ -1,0 +1,150 @@
+//! The table against a plain list, and typed entries against the table.
+
+use std::collections::BTreeMap;
+
+use devc_runtime::object::{Address, Entry, Marker, Readable, Value, Writable};
+use devc_runtime::sdo::CommunicationState::Operational;
+use devc_runtime::sdo::{AbortCode, Access, DataType, Dictionary, EntryInfo, ObjectCode, ObjectInfo, Page};
+
+use crate::c887::{Axis, C887, Controlword, DICTIONARY, objects};
+
+/// Index, number of entries.
+const OBJECTS: [(u16, u8); 15] = [
+    (0x1008, 1),
+    (0x6040, 1),
+    (0x6041, 1),
+    (0x6060, 1),
+    (0x6061, 1),
+    (0x6064, 1),
+    (0x607A, 1),
+    (0x607D, 3),
+    (0x6840, 1),
+    (0x6841, 1),
+    (0x6860, 1),
+    (0x6861, 1),
+    (0x6864, 1),
+    (0x687A, 1),
+    (0x687D, 3),
+];
+
+#[test]
+fn every_address_is_found_or_told_missing() {
+    let subindices =
+        |(index, count): &(u16, u8)| (0..*count).map(|sub| Address::new(*index, sub)).collect::<Vec<_>>();
+    let expected: BTreeMap<Address, u16> = OBJECTS.iter().flat_map(subindices).zip(0..).collect();
+    for index in 0..=u16::MAX {
+        for subindex in [0, 1, 2, 3, 4, 127, 255] {
+            let address = Address::new(index, subindex);
+            let found = DICTIONARY.find(address).map(|found| found.ordinal);
+            let missing = match OBJECTS.iter().any(|(of, _)| *of == index) {
+                true => AbortCode::NO_SUCH_SUBINDEX,
+                false => AbortCode::NO_SUCH_OBJECT,
+            };
+            assert_eq!(found, expected.get(&address).copied().ok_or(missing), "{address}");
+        }
+    }
+}
+
+#[test]
+fn objects_are_listed_ascending() {
+    let listed: Vec<u16> = DICTIONARY.objects().map(|(index, _)| index).collect();
+    assert_eq!(listed, OBJECTS.map(|(index, _)| index));
+}
+
+#[test]
+fn subindices_may_have_gaps() {
+    const fn byte(subindex: u8) -> EntryInfo {
+        EntryInfo { subindex, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ }
+    }
+    static DICTIONARY: Dictionary = Dictionary {
+        directory: &[1; 256],
+        pages: &[Page {
+            first: 0,
+            slots: &[],
+            objects: &[ObjectInfo {
+                code: ObjectCode::Record,
+                entries: &[byte(0), byte(1), byte(4), byte(255)],
+                ordinal: 0,
+            }],
+            ordinal: 0,
+        }],
+    };
+    let found = |subindex| DICTIONARY.find(Address::new(0x2000, subindex)).map(|found| found.ordinal);
+    for subindex in 0..=u8::MAX {
+        let expected = [0, 1, 4, 255].iter().zip(0..).find(|(of, _)| **of == subindex);
+        assert_eq!(found(subindex), expected.map(|(_, ordinal)| ordinal).ok_or(AbortCode::NO_SUCH_SUBINDEX));
+    }
+}
+
+#[test]
+fn tables_that_point_nowhere_hold_no_objects() {
+    static DICTIONARY: Dictionary = Dictionary {
+        directory: &[2; 256],
+        pages: &[
+            Page { first: 0, slots: &[], objects: &[], ordinal: 0 },
+            Page { first: 9, slots: &[200; 10], objects: &[], ordinal: 0 },
+        ],
+    };
+    assert_eq!(DICTIONARY.objects().count(), 0);
+    assert_eq!(DICTIONARY.find(Address::new(0x2009, 0)), Err(AbortCode::NO_SUCH_OBJECT));
+}
+
+/// What the types of an entry say, and what the table says.
+fn same<T: Value, A: Marker>(entry: Entry<C887, T, A>) {
+    let (access, size) = (entry.access(), T::SIZE);
+    let rights = |of: Access| [of.check_read(Operational), of.check_write(Operational)];
+    let found = DICTIONARY.find(entry.address()).map(|found| found.entry);
+    let found = found.map(|info| (info.data_type, usize::from(info.bytes()), rights(info.access)));
+    assert_eq!(found, Ok((T::DATA_TYPE, size, rights(access))), "{entry}");
+}
+
+#[test]
+fn types_and_table_agree() {
+    for axis in Axis::ALL {
+        same(objects::controlword(axis));
+        same(objects::statusword(axis));
+        same(objects::modes_of_operation(axis));
+        same(objects::modes_of_operation_display(axis));
+        same(objects::position_actual_value(axis));
+        same(objects::target_position(axis));
+        same(objects::software_position_limit::min(axis));
+        same(objects::software_position_limit::max(axis));
+    }
+    let name = DICTIONARY.find(objects::DEVICE_NAME.address()).unwrap().entry;
+    assert_eq!((name.data_type, name.bytes()), (DataType::VISIBLE_STRING, 14));
+}
+
+/// A device that keeps what it is sent: what a master's own SDO client looks like over typed entries.
+#[derive(Default)]
+struct Memory(BTreeMap<Address, Vec<u8>>);
+
+impl Memory {
+    fn write<T: Value, A: Writable>(&mut self, entry: Entry<C887, T, A>, value: T) {
+        self.0.insert(entry.address(), entry.encode(value).as_ref().to_vec());
+    }
+
+    fn read<T: Value, A: Readable>(&self, entry: Entry<C887, T, A>) -> Result<T, AbortCode> {
+        let data = self.0.get(&entry.address()).ok_or(AbortCode::NO_DATA)?;
+        Ok(entry.decode(data)?)
+    }
+}
+
+#[test]
+fn a_master_reads_what_it_wrote() {
+    let mut drive = Memory::default();
+    drive.write(objects::controlword(Axis::Y), Controlword(0x000F));
+    drive.write(objects::software_position_limit::min(Axis::X), -1_000_000);
+    assert_eq!(drive.read(objects::controlword(Axis::Y)), Ok(Controlword(0x000F)));
+    assert_eq!(drive.read(objects::software_position_limit::min(Axis::X)), Ok(-1_000_000));
+    assert_eq!(drive.read(objects::controlword(Axis::X)), Err(AbortCode::NO_DATA));
+    drive.0.insert(Address::new(0x6064, 0), vec![0; 8]);
+    assert_eq!(drive.read(objects::position_actual_value(Axis::X)), Err(AbortCode::LENGTH_TOO_HIGH));
+}
+
+#[test]
+fn a_text_ends_where_the_padding_starts() {
+    assert_eq!(objects::DEVICE_NAME.decode(b"C-887 EtherCAT"), Ok("C-887 EtherCAT"));
+    assert_eq!(objects::DEVICE_NAME.decode(b"C-887\0\0\0"), Ok("C-887"));
+    assert_eq!(objects::DEVICE_NAME.decode(b""), Ok(""));
+    assert!(objects::DEVICE_NAME.decode(b"\xFF").is_err());
+}
