@@ -11,6 +11,7 @@ mod missing_key;
 mod outside_include;
 mod unknown_key;
 mod unknown_profile;
+mod unknown_reference;
 mod unreadable_file;
 mod wrong_type;
 
@@ -23,6 +24,7 @@ pub(crate) use missing_key::MISSING_KEY;
 pub(crate) use outside_include::OUTSIDE_INCLUDE;
 pub(crate) use unknown_key::UNKNOWN_KEY;
 pub(crate) use unknown_profile::UNKNOWN_PROFILE;
+pub(crate) use unknown_reference::UNKNOWN_REFERENCE;
 pub(crate) use unreadable_file::UNREADABLE_FILE;
 pub(crate) use wrong_type::WRONG_TYPE;
 
@@ -39,6 +41,7 @@ pub static ALL: &[&Rule] = &[
     &OUTSIDE_INCLUDE,
     &UNKNOWN_KEY,
     &UNKNOWN_PROFILE,
+    &UNKNOWN_REFERENCE,
     &UNREADABLE_FILE,
     &WRONG_TYPE,
 ];
