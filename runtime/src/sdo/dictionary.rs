@@ -7,10 +7,13 @@
 use super::{AbortCode, Access, DataType};
 use crate::object::Address;
 
+/// Where the tables have nothing: a position behind the end. A table of 256 that reaches it has no gaps.
+pub const NONE: u8 = u8::MAX;
+
 /// All objects of a device (CiA 301, object dictionary).
 #[derive(Debug, Clone, Copy)]
 pub struct Dictionary {
-    /// For each high byte of an index, the page that has its objects, counted from 1; 0 where there are none.
+    /// For each high byte of an index, the position in `pages` of the page that has its objects, else [`NONE`].
     pub directory: &'static [u8; 256],
     /// The pages, ascending by index.
     pub pages: &'static [Page],
@@ -23,8 +26,7 @@ pub struct Dictionary {
 pub struct Page {
     /// The low byte of the first index.
     pub first: u8,
-    /// From `first` on, for each low byte the object in `objects`, counted from 1; 0 where there is none.
-    /// Empty if no index between the first and the last is missing.
+    /// From `first` on, for each low byte the position in `objects` of its object, else [`NONE`].
     pub slots: &'static [u8],
     /// The objects, ascending by index.
     pub objects: &'static [ObjectInfo],
@@ -94,6 +96,7 @@ impl Dictionary {
     }
 
     /// Finds an entry; if there is none, the abort code tells whether the object or the subindex is missing.
+    #[inline]
     pub fn find(&self, address: Address) -> Result<Found, AbortCode> {
         let (page, object) = self.page_and_object(address.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
         let (position, entry) = object.entry(address.subindex).ok_or(AbortCode::NO_SUCH_SUBINDEX)?;
@@ -119,8 +122,8 @@ impl Dictionary {
 
     #[inline]
     fn page(&self, high: u8) -> Option<&'static Page> {
-        let number = *self.directory.get(usize::from(high))?;
-        self.pages.get(usize::from(number.checked_sub(1)?))
+        let position = self.directory.get(usize::from(high))?;
+        self.pages.get(usize::from(*position))
     }
 }
 
@@ -128,12 +131,8 @@ impl Page {
     #[inline]
     fn object(&self, low: u8) -> Option<&'static ObjectInfo> {
         let offset = low.checked_sub(self.first)?;
-        let position = if self.slots.is_empty() {
-            offset
-        } else {
-            self.slots.get(usize::from(offset))?.checked_sub(1)?
-        };
-        self.objects.get(usize::from(position))
+        let position = self.slots.get(usize::from(offset))?;
+        self.objects.get(usize::from(*position))
     }
 }
 

@@ -10,7 +10,7 @@ use devc_runtime::cia402::{
 use devc_runtime::error::{self, ErrorInfo, ErrorRange};
 use devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, Value};
 use devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-use devc_runtime::sdo::{Access, DataType, Dictionary, EntryInfo, ObjectCode, ObjectInfo, Page};
+use devc_runtime::sdo::{Access, DataType, Dictionary, EntryInfo, NONE, ObjectCode, ObjectInfo, Page};
 use devc_runtime::unit::Scale;
 
 /// The hexapod controller C-887.53x.
@@ -447,26 +447,29 @@ static AXIS_OBJECTS: [ObjectInfo; 7] = [
 
 /// Where they are, from 0x..40 on.
 #[rustfmt::skip]
-static AXIS_SLOTS: [u8; 62] = [
-    1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, // 40
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, // 50
-    3, 4, 0, 0, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, // 60
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 6, 0, 0, 7, // 70
-];
+static AXIS_SLOTS: [u8; 62] = {
+    const __: u8 = NONE;
+    [
+         0,  1, __, __, __, __, __, __, __, __, __, __, __, __, __, __, // 40
+        __, __, __, __, __, __, __, __, __, __, __, __, __, __, __, __, // 50
+         2,  3, __, __,  4, __, __, __, __, __, __, __, __, __, __, __, // 60
+        __, __, __, __, __, __, __, __, __, __,  5, __, __,  6, // 70
+    ]
+};
 
 /// Every object.
 pub static DICTIONARY: Dictionary = Dictionary {
     directory: &{
-        let mut pages = [0; 256];
-        pages[0x10] = 1;
-        pages[0x60] = 2;
-        pages[0x68] = 3;
+        let mut pages = [NONE; 256];
+        pages[0x10] = 0;
+        pages[0x60] = 1;
+        pages[0x68] = 2;
         pages
     },
     pages: &[
         Page {
             first: 0x08,
-            slots: &[],
+            slots: &[0],
             objects: &[variable(0, &[entry(0, DataType::VISIBLE_STRING, 14 * 8, Access::READ)])],
             ordinal: 0,
         },

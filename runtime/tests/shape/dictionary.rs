@@ -57,10 +57,10 @@ fn subindices_may_have_gaps() {
         EntryInfo { subindex, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ }
     }
     static DICTIONARY: Dictionary = Dictionary {
-        directory: &[1; 256],
+        directory: &[0; 256],
         pages: &[Page {
             first: 0,
-            slots: &[],
+            slots: &[0],
             objects: &[ObjectInfo {
                 code: ObjectCode::Record,
                 entries: &[byte(0), byte(1), byte(4), byte(255)],
@@ -79,7 +79,7 @@ fn subindices_may_have_gaps() {
 #[test]
 fn tables_that_point_nowhere_hold_no_objects() {
     static DICTIONARY: Dictionary = Dictionary {
-        directory: &[2; 256],
+        directory: &[1; 256],
         pages: &[
             Page { first: 0, slots: &[], objects: &[], ordinal: 0 },
             Page { first: 9, slots: &[200; 10], objects: &[], ordinal: 0 },
