@@ -51,10 +51,23 @@ fn groups<'a>(diagnostic: &'a Diagnostic, sources: &'a Sources) -> Vec<Group<'a>
     std::iter::once(main).chain(edits).collect()
 }
 
-/// Whether there are edits, all of them in files that the reader can edit.
+/// Whether there are edits that can be shown as a diff: in files that the reader can edit, and in lines that
+/// fit, since a diff shows them whole.
 fn has_edits(help: &Help, sources: &Sources) -> bool {
-    let editable = |edit: &Edit| sources.get(edit.at.file).is_some_and(|file| !file.embedded);
-    !help.edits.is_empty() && help.edits.iter().all(editable)
+    let can_be_shown = |edit: &Edit| {
+        sources
+            .get(edit.at.file)
+            .is_some_and(|file| !file.embedded && line_length(edit.at, &file.text) <= WIDTH)
+    };
+    !help.edits.is_empty() && help.edits.iter().all(can_be_shown)
+}
+
+/// The length of the lines that a place covers, in bytes.
+fn line_length(at: Location, text: &str) -> usize {
+    let Range { start, end } = range(at, text);
+    let before = text.get(..start).unwrap_or_default().rfind('\n').map_or(0, |newline| newline + 1);
+    let after = text.get(end..).unwrap_or_default().find('\n').map_or(text.len(), |newline| end + newline);
+    after - before
 }
 
 /// One snippet a file, the file of the first label first.

@@ -1,0 +1,134 @@
+//! How messages look.
+
+use insta::assert_snapshot;
+
+use super::{Style, text};
+use crate::diagnostic::{Diagnostic, Edit, Help, Level, faults};
+use crate::source::{FileId, Location, SourceFile, Sources};
+
+fn sources(files: &[(&str, &str)]) -> Sources {
+    let mut sources = Sources::default();
+    for (path, text) in files {
+        let embedded = path.starts_with('<');
+        sources.add(SourceFile { path: (*path).to_owned(), text: (*text).to_owned(), embedded });
+    }
+    sources
+}
+
+/// The place of a word in a file.
+fn place(sources: &Sources, file: u32, word: &str) -> Location {
+    let text = &sources.get(FileId(file)).expect("a file").text;
+    let start = text.find(word).expect("the word");
+    Location { file: FileId(file), start: start as u32, end: (start + word.len()) as u32 }
+}
+
+#[test]
+fn places_in_several_files_with_all_there_is_to_say() {
+    let sources = sources(&[
+        ("device.toml", "[objects.0x6064]\nunit = \"position\"\nmax = 300\n"),
+        ("<profile cia402>", "[objects.0x6064]\ntype = \"UINT8\"\n"),
+    ]);
+    let mut diagnostic = Diagnostic::new(
+        &faults::INVALID_VALUE,
+        "the maximum 300 does not fit UINT8, 0 to 255",
+        place(&sources, 0, "300"),
+        "too large",
+    )
+    .label(place(&sources, 1, "\"UINT8\""), "the type is set here")
+    .label(place(&sources, 0, "0x6064"), "of this object")
+    .note("ETG.1020 defines the types")
+    .help("give the object a wider type")
+    .suggest("or take the greatest value", place(&sources, 0, "300"), "255")
+    .suggest("or change the profile", place(&sources, 1, "\"UINT8\""), "\"UINT16\"");
+    assert_snapshot!(text(&diagnostic, &sources, Style::Plain), @r#"
+    error[invalid-value]: the maximum 300 does not fit UINT8, 0 to 255
+     --> device.toml:3:7
+      |
+    1 | [objects.0x6064]
+      |          ------ of this object
+    2 | unit = "position"
+    3 | max = 300
+      |       ^^^ too large
+      |
+     ::: <profile cia402>:2:8
+      |
+    2 | type = "UINT8"
+      |        ------- the type is set here
+      |
+      = note: ETG.1020 defines the types
+      = help: give the object a wider type
+      = help: or change the profile
+    help: or take the greatest value
+      |
+    3 - max = 300
+    3 + max = 255
+      |
+    "#);
+    diagnostic.level = Level::Warning;
+    assert!(text(&diagnostic, &sources, Style::Plain).starts_with("warning[invalid-value]: the maximum"));
+    assert!(text(&diagnostic, &sources, Style::Colour).contains("\u{1b}["));
+}
+
+#[test]
+fn edits_in_one_help_are_one_diff() {
+    let sources = sources(&[("device.toml", "min = 5\nmax = 1\n")]);
+    let mut diagnostic = Diagnostic::bare(&faults::INVALID_VALUE, "the limits 5 and 1 are swapped");
+    let edit = |word, text: &str| Edit { at: place(&sources, 0, word), text: text.to_owned() };
+    diagnostic.helps.push(Help { text: "swap them".to_owned(), edits: vec![edit("5", "1"), edit("1", "5")] });
+    assert_snapshot!(text(&diagnostic, &sources, Style::Plain), @r"
+    error[invalid-value]: the limits 5 and 1 are swapped
+      |
+    help: swap them
+     --> device.toml:1:7
+      |
+    1 ~ min = 1
+    2 ~ max = 5
+      |
+    ");
+}
+
+#[test]
+fn a_message_without_a_place_is_a_line() {
+    let diagnostic = Diagnostic::bare(&faults::MISSING_FILE, "`drive` does not exist");
+    assert_snapshot!(text(&diagnostic, &Sources::default(), Style::Plain), @"error[missing-file]: `drive` does not exist");
+}
+
+#[test]
+fn long_lines_are_cut_around_the_place() {
+    let line = format!("list = [{}\"wrong\"{}]\n", "\"right\", ".repeat(100), ", \"right\"".repeat(100));
+    let sources = sources(&[("device.toml", &line)]);
+    let at = place(&sources, 0, "\"wrong\"");
+    let diagnostic = Diagnostic::new(&faults::INVALID_VALUE, "`wrong` means nothing", at, "here").suggest(
+        "did you mean `right`?",
+        at,
+        "\"right\"",
+    );
+    let message = text(&diagnostic, &sources, Style::Plain);
+    assert_snapshot!(message, @r#"
+    error[invalid-value]: `wrong` means nothing
+     --> device.toml:1:909
+      |
+    1 | ...ht", "right", "right", "right", "right", "right", "right", "wrong", "right", "right", "right", "right", "right", "right", "right",...
+      |                                                               ^^^^^^^ here
+      |
+      = help: did you mean `right`?
+    "#);
+}
+
+#[test]
+fn no_place_makes_it_panic() {
+    let sources = sources(&[("device.toml", "näme = \"Größe\"\r\nµ = 1"), ("empty.toml", "")]);
+    for file in 0..3 {
+        for start in 0..25 {
+            for end in [0, 1, 2, 9, 11, 12, 15, 17, 21, 22, 23, 24, u32::MAX] {
+                let at = Location { file: FileId(file), start, end };
+                let diagnostic = Diagnostic::new(&faults::UNKNOWN_KEY, "x", at, "y")
+                    .label(Location { end: start, ..at }, "z")
+                    .suggest("h", at, "ü");
+                for style in [Style::Plain, Style::Colour] {
+                    assert!(text(&diagnostic, &sources, style).contains("unknown-key"));
+                }
+            }
+        }
+    }
+}
