@@ -1,7 +1,9 @@
 //! Process data and what carries it: `[rx-pdos]`, `[tx-pdos]`, `[sync-managers]`, `[mailbox]`.
 
 use serde::Deserialize;
-use serde::de::{self, Deserializer, MapAccess, Visitor};
+use serde::de::Deserializer;
+
+use super::decode::shorthand;
 
 /// `[rx-pdos.<index>]`, `[tx-pdos.<index>]`: a process data object.
 #[derive(Debug, Default, Deserialize)]
@@ -56,24 +58,9 @@ struct MappedTable {
 
 impl<'de> Deserialize<'de> for RawMapped {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Mapped;
-        impl<'de> Visitor<'de> for Mapped {
-            type Value = RawMapped;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("the name or index of an entry, or a table with `entry`, `bits` and `name`")
-            }
-
-            fn visit_str<E: de::Error>(self, text: &str) -> Result<RawMapped, E> {
-                Ok(RawMapped { entry: Some(text.to_owned()), ..RawMapped::default() })
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<RawMapped, A::Error> {
-                let table = MappedTable::deserialize(de::value::MapAccessDeserializer::new(map))?;
-                Ok(RawMapped { entry: table.entry, bits: table.bits, name: table.name })
-            }
-        }
-        deserializer.deserialize_any(Mapped)
+        let expecting = "the name or index of an entry, or a table with `entry`, `bits` and `name`";
+        let MappedTable { entry, bits, name } = shorthand(deserializer, "entry", expecting)?;
+        Ok(Self { entry, bits, name })
     }
 }
 

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use serde::de::{self, Deserializer, MapAccess, Visitor};
+use serde::de::{Deserializer, Error};
+
+use super::decode::shorthand;
 
 /// `[words.<id>]`: the bits of an object.
 #[derive(Debug, Default, Deserialize)]
@@ -56,37 +58,21 @@ struct FieldTable {
 
 impl<'de> Deserialize<'de> for RawField {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Field;
-        impl<'de> Visitor<'de> for Field {
-            type Value = RawField;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a name, or a table with a `name`")
-            }
-
-            fn visit_str<E: de::Error>(self, text: &str) -> Result<RawField, E> {
-                Ok(RawField { name: text.to_owned(), ..RawField::default() })
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<RawField, A::Error> {
-                let table = FieldTable::deserialize(de::value::MapAccessDeserializer::new(map))?;
-                let unnamed = if table.reserved { "reserved" } else { "mode-specific" };
-                let name = match table.name {
-                    Some(name) => name,
-                    None if table.reserved || table.per_mode => unnamed.to_owned(),
-                    None => return Err(de::Error::missing_field("name")),
-                };
-                Ok(RawField {
-                    name,
-                    about: table.about,
-                    values: table.values,
-                    rising: table.rising,
-                    falling: table.falling,
-                    reserved: table.reserved,
-                    per_mode: table.per_mode,
-                })
-            }
-        }
-        deserializer.deserialize_any(Field)
+        let table: FieldTable = shorthand(deserializer, "name", "a name, or a table with a `name`")?;
+        let name = match table.name {
+            Some(name) => name,
+            None if table.reserved => "reserved".to_owned(),
+            None if table.per_mode => "mode-specific".to_owned(),
+            None => return Err(Error::missing_field("name")),
+        };
+        Ok(Self {
+            name,
+            about: table.about,
+            values: table.values,
+            rising: table.rising,
+            falling: table.falling,
+            reserved: table.reserved,
+            per_mode: table.per_mode,
+        })
     }
 }

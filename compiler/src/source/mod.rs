@@ -10,7 +10,7 @@ mod loader;
 mod merge;
 pub(crate) mod near;
 mod origin;
-mod parse;
+pub(crate) mod parse;
 mod settings;
 #[cfg(test)]
 mod tests;
@@ -19,8 +19,6 @@ mod tree;
 pub use load::{Document, MAIN_FILE, Profile, load};
 pub use loader::{Disk, Loader, MAX_SIZE, Memory};
 pub use origin::Origin;
-#[allow(unused_imports)]
-pub(crate) use parse::parse;
 pub use tree::{Key, Member, Node, Table, Value};
 
 /// A file of one compilation, by its place in [`Sources`].

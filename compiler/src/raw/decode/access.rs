@@ -5,7 +5,7 @@ use serde::de::{DeserializeSeed, EnumAccess, Error as _, MapAccess, SeqAccess, V
 
 use super::context::Context;
 use super::error::Error;
-use super::view::View;
+use super::view::{Input, View};
 use crate::source::{Member, Node, Table};
 
 /// The elements of an array.
@@ -36,7 +36,12 @@ impl<'d> SeqAccess<'d> for &mut Items<'d, '_> {
     type Error = Error;
 
     fn next_element_seed<T: DeserializeSeed<'d>>(&mut self, seed: T) -> Result<Option<T::Value>, Error> {
-        self.items.next().map(|item| seed.deserialize(View::node(item, self.context))).transpose()
+        let item = self.items.next();
+        item.map(|item| {
+            let value = seed.deserialize(View::node(item, self.context));
+            value.map_err(|error| error.at(item.at))
+        })
+        .transpose()
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -71,7 +76,7 @@ impl<'d> MapAccess<'d> for Members<'d, '_> {
             return Err(Error::custom("a value was asked for before its key"));
         };
         let value = seed.deserialize(View::node(&member.node, self.context));
-        value.map_err(|error| error.under(&member.key.name))
+        value.map_err(|error| error.at(member.node.at).under(&member.key.name))
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -107,9 +112,12 @@ impl<'d, 'c> Choice<'d, 'c> {
 
     /// The value that belongs to the word.
     fn content(self) -> Result<View<'d, 'c>, Error> {
-        match self.value {
-            Some(member) => Ok(View::node(&member.node, self.word.context)),
-            None => Err(Error::custom("this needs a value, as in `{ word = value }`").at(self.word.at)),
+        match (self.value, self.word.input) {
+            (Some(member), _) => Ok(View::node(&member.node, self.word.context)),
+            (None, Input::String(word)) => {
+                Err(Error::custom(format!("`{word}` needs a value, as `{{ {word} = 1 }}`")))
+            }
+            (None, _) => Err(Error::custom("a value is missing")),
         }
     }
 }
@@ -130,7 +138,10 @@ impl<'d> VariantAccess<'d> for Choice<'d, '_> {
 
     fn unit_variant(self) -> Result<(), Error> {
         match self.value {
-            Some(member) => Err(Error::custom("this takes no value").at(member.node.at)),
+            Some(member) => {
+                let message = format!("`{}` takes no value, write it as a string", member.key.name);
+                Err(Error::custom(message).at(member.node.at))
+            }
             None => Ok(()),
         }
     }

@@ -66,20 +66,20 @@ impl Error {
 
     pub(super) fn into_diagnostic(self) -> Diagnostic {
         let at = self.at.unwrap_or(Location { file: FileId(0), start: 0, end: 0 });
-        let of = |word: &str| self.key.as_ref().map(|key| format!(" {word} `{key}`")).unwrap_or_default();
+        let of = |word: &str| self.key.as_ref().map(|key| format!("{word} `{key}`")).unwrap_or_default();
         match self.fault {
             Fault::Type { expected, found } => {
-                let message = format!("expected {expected}{}, found {found}", of("for"));
-                Diagnostic::new(&faults::WRONG_TYPE, message, at, format!("expected {expected}"))
+                let message = format!("expected {expected}, found {found}");
+                Diagnostic::new(&faults::WRONG_TYPE, message, at, of("in"))
             }
             Fault::Range { value, kind, range } => {
                 let message = format!("{value} does not fit {kind}, {range}");
-                Diagnostic::new(&faults::INVALID_VALUE, message, at, format!("out of range{}", of("for")))
+                Diagnostic::new(&faults::INVALID_VALUE, message, at, of("in"))
             }
             Fault::Word { found, known } => {
-                let message = format!("`{found}` is not a value{}", of("of"));
+                let message = format!("`{found}` is no choice here");
                 word(
-                    Diagnostic::new(&faults::INVALID_VALUE, message, at, "not known here"),
+                    Diagnostic::new(&faults::INVALID_VALUE, message, at, of("in")),
                     &found,
                     known,
                     !self.in_key,
@@ -89,7 +89,7 @@ impl Error {
                 let message = format!("missing key `{key}`");
                 Diagnostic::new(&faults::MISSING_KEY, message, at, format!("`{key}` has to be given here"))
             }
-            Fault::Value(message) => Diagnostic::new(&faults::INVALID_VALUE, message, at, ""),
+            Fault::Value(message) => Diagnostic::new(&faults::INVALID_VALUE, message, at, of("in")),
         }
     }
 }
@@ -126,7 +126,7 @@ impl de::Error for Error {
     }
 
     fn invalid_length(length: usize, expected: &dyn Expected) -> Self {
-        Fault::Value(format!("expected {}, found {length} elements", expectation(expected))).into()
+        Fault::Value(format!("expected {}, found {length}", expectation(expected))).into()
     }
 
     fn unknown_variant(found: &str, known: &'static [&'static str]) -> Self {

@@ -7,8 +7,9 @@ use serde::Deserialize;
 
 use super::*;
 use crate::diagnostic::render::{Style, text};
-use crate::raw::Literal;
-use crate::source::{SourceFile, Sources, parse};
+use crate::raw::{Literal, RawField, RawMapped};
+use crate::source::parse::parse;
+use crate::source::{SourceFile, Sources};
 
 #[derive(Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -166,60 +167,60 @@ fn strings_are_borrowed() {
 #[test]
 fn values_of_the_wrong_type() {
     assert_snapshot!(bad("max-value = \"5\""), @r#"
-    error[wrong-type]: expected an integer for `max-value`, found a string
+    error[wrong-type]: expected an integer, found a string
      --> device.toml:2:13
       |
     2 | max-value = "5"
-      |             ^^^ expected an integer
+      |             ^^^ in `max-value`
     "#);
     assert_snapshot!(bad("codes = [1, [2]]"), @r"
-    error[wrong-type]: expected an integer for `codes`, found an array
+    error[wrong-type]: expected an integer, found an array
      --> device.toml:2:13
       |
     2 | codes = [1, [2]]
-      |             ^^^ expected an integer
+      |             ^^^ in `codes`
     ");
     assert_snapshot!(bad("flag = 1"), @r"
-    error[wrong-type]: expected a boolean for `flag`, found an integer
+    error[wrong-type]: expected a boolean, found an integer
      --> device.toml:2:8
       |
     2 | flag = 1
-      |        ^ expected a boolean
+      |        ^ in `flag`
     ");
     assert_snapshot!(bad("scale = 2001-01-01"), @r"
-    error[wrong-type]: expected a number for `scale`, found a date
+    error[wrong-type]: expected a number, found a date
      --> device.toml:2:9
       |
     2 | scale = 2001-01-01
-      |         ^^^^^^^^^^ expected a number
+      |         ^^^^^^^^^^ in `scale`
     ");
     assert_snapshot!(bad("inner = []"), @r"
-    error[wrong-type]: expected a table for `inner`, found an array
+    error[wrong-type]: expected a table, found an array
      --> device.toml:2:9
       |
     2 | inner = []
-      |         ^^ expected a table
+      |         ^^ in `inner`
     ");
     assert_snapshot!(bad("list = [{ bits = 1 }, [1, \"a\"]]"), @r#"
-    error[wrong-type]: expected a table for `list`, found an array
+    error[wrong-type]: expected a table, found an array
      --> device.toml:2:23
       |
     2 | list = [{ bits = 1 }, [1, "a"]]
-      |                       ^^^^^^^^ expected a table
+      |                       ^^^^^^^^ in `list`
     "#);
     assert_snapshot!(bad("literal = {}"), @r"
-    error[wrong-type]: expected a number, a string or a boolean for `literal`, found a table
+    error[wrong-type]: expected a number, a string or a boolean, found a table
      --> device.toml:2:11
       |
     2 | literal = {}
-      |           ^^ expected a number, a string or a boolean
+      |           ^^ in `literal`
     ");
     assert_snapshot!(bad("access = 1"), @r"
-    error[wrong-type]: expected a string for `access`, found an integer
+    error[wrong-type]: expected a string, found an integer
      --> device.toml:2:10
       |
     2 | access = 1
-      |          ^ expected a string
+      |          ^ in `access`
     ");
     assert_snapshot!(bad("name2 = 1\npair = 1"), @r"
     error[unknown-key]: unknown key `name2`
@@ -230,11 +231,11 @@ fn values_of_the_wrong_type() {
       |
       = note: its keys are `name`, `max-value`, `scale`, `flag`, `codes`, `offset`, `access`, `shape`, `pair`, `id`, `literal`, `version`, `inner` and `list`
 
-    error[wrong-type]: expected an array of 2 elements for `pair`, found an integer
+    error[wrong-type]: expected an array of 2 elements, found an integer
      --> device.toml:3:8
       |
     3 | pair = 1
-      |        ^ expected an array of 2 elements
+      |        ^ in `pair`
     ");
 }
 
@@ -245,46 +246,46 @@ fn values_out_of_range() {
      --> device.toml:2:13
       |
     2 | max-value = 300
-      |             ^^^ out of range for `max-value`
+      |             ^^^ in `max-value`
     ");
     assert_snapshot!(bad("offset = -129"), @r"
     error[invalid-value]: -129 does not fit i8, -128 to 127
      --> device.toml:2:10
       |
     2 | offset = -129
-      |          ^^^^ out of range for `offset`
+      |          ^^^^ in `offset`
     ");
     assert_snapshot!(bad("list = [{ bits = 1 }, { bits = 0xFFFF_FFFF_FFFF_FFFF_FFFF }]"), @r"
     error[invalid-value]: 1208925819614629174706175 does not fit u8, 0 to 255
      --> device.toml:2:32
       |
     2 | list = [{ bits = 1 }, { bits = 0xFFFF_FFFF_FFFF_FFFF_FFFF }]
-      |                                ^^^^^^^^^^^^^^^^^^^^^^^^^^ out of range for `bits`
+      |                                ^^^^^^^^^^^^^^^^^^^^^^^^^^ in `bits`
     ");
     assert_snapshot!(bad("pair = [1, \"a\", 2]"), @r#"
     error[invalid-value]: expected 2 elements, found 3
      --> device.toml:2:17
       |
     2 | pair = [1, "a", 2]
-      |                 ^
+      |                 ^ in `pair`
     "#);
     assert_snapshot!(bad("pair = [1]"), @r"
-    error[invalid-value]: expected an array of 2 elements, found 1 elements
+    error[invalid-value]: expected an array of 2 elements, found 1
      --> device.toml:2:8
       |
     2 | pair = [1]
-      |        ^^^
+      |        ^^^ in `pair`
     ");
 }
 
 #[test]
 fn values_that_mean_nothing() {
     assert_snapshot!(bad("access = \"readonly\""), @r#"
-    error[invalid-value]: `readonly` is not a value of `access`
+    error[invalid-value]: `readonly` is no choice here
      --> device.toml:2:10
       |
     2 | access = "readonly"
-      |          ^^^^^^^^^^ not known here
+      |          ^^^^^^^^^^ in `access`
       |
       = note: the values are `read-only` and `read-write`
     help: did you mean `read-only`?
@@ -293,35 +294,34 @@ fn values_that_mean_nothing() {
       |               +
     "#);
     assert_snapshot!(bad("access = \"x\""), @r#"
-    error[invalid-value]: `x` is not a value of `access`
+    error[invalid-value]: `x` is no choice here
      --> device.toml:2:10
       |
     2 | access = "x"
-      |          ^^^ not known here
+      |          ^^^ in `access`
       |
       = note: the values are `read-only` and `read-write`
     "#);
     assert_snapshot!(bad("version = \"1\""), @r#"
     error[invalid-value]: `1` is not a version, as `1.2` is
-     --> device.toml:1:1
+     --> device.toml:2:11
       |
-    1 | / name = "x"
-    2 | | version = "1"
-      | |_____________^
+    2 | version = "1"
+      |           ^^^ in `version`
     "#);
     assert_snapshot!(bad("shape = \"circle\""), @r#"
-    error[invalid-value]: this needs a value, as in `{ word = value }`
+    error[invalid-value]: `circle` needs a value, as `{ circle = 1 }`
      --> device.toml:2:9
       |
     2 | shape = "circle"
-      |         ^^^^^^^^
+      |         ^^^^^^^^ in `shape`
     "#);
     assert_snapshot!(bad("shape = { circel = 1 }"), @r"
-    error[invalid-value]: `circel` is not a value of `shape`
+    error[invalid-value]: `circel` is no choice here
      --> device.toml:2:11
       |
     2 | shape = { circel = 1 }
-      |           ^^^^^^ not known here
+      |           ^^^^^^ in `shape`
       |
       = note: the values are `point`, `circle` and `square`
     help: did you mean `circle`?
@@ -331,25 +331,25 @@ fn values_that_mean_nothing() {
       |
     ");
     assert_snapshot!(bad("shape = { point = 1 }"), @r"
-    error[invalid-value]: this takes no value
+    error[invalid-value]: `point` takes no value, write it as a string
      --> device.toml:2:19
       |
     2 | shape = { point = 1 }
-      |                   ^
+      |                   ^ in `shape`
     ");
     assert_snapshot!(bad("shape = { circle = 1, square = {} }"), @r"
     error[invalid-value]: expected a table with one key, found 2
      --> device.toml:2:23
       |
     2 | shape = { circle = 1, square = {} }
-      |                       ^^^^^^
+      |                       ^^^^^^ in `shape`
     ");
     assert_snapshot!(bad("shape = {}"), @r"
     error[invalid-value]: expected a table with one key, found none
      --> device.toml:2:9
       |
     2 | shape = {}
-      |         ^^
+      |         ^^ in `shape`
     ");
 }
 
@@ -467,4 +467,56 @@ fn one_table_can_be_two_structs() {
       |
       = note: its keys are `bits`, `about` and `source`
     ");
+}
+
+#[test]
+fn a_string_can_stand_for_a_table() {
+    #[derive(Debug, Deserialize)]
+    struct Pdo {
+        entries: Vec<RawMapped>,
+        #[serde(default)]
+        bits: Option<RawField>,
+    }
+    let (pdo, messages) = read::<Pdo>("entries = [\"controlword\", { bits = 8, nam = \"gap\" }]\nbits = {}");
+    assert!(pdo.is_none());
+    assert_snapshot!(messages, @r#"
+    error[unknown-key]: unknown key `nam`
+     --> device.toml:1:39
+      |
+    1 | entries = ["controlword", { bits = 8, nam = "gap" }]
+      |                                       ^^^ not a key of this table
+      |
+    help: did you mean `name`?
+      |
+    1 | entries = ["controlword", { bits = 8, name = "gap" }]
+      |                                          +
+
+    error[missing-key]: missing key `name`
+     --> device.toml:2:8
+      |
+    2 | bits = {}
+      |        ^^ `name` has to be given here
+    "#);
+    let (pdo, messages) = read::<Pdo>("entries = [\"controlword\", { bits = 8 }]\nbits = \"ready\"");
+    assert_eq!(messages, "");
+    let pdo = pdo.expect("a PDO");
+    assert_eq!(
+        pdo.entries.iter().map(|it| (it.entry.as_deref(), it.bits)).collect::<Vec<_>>(),
+        [(Some("controlword"), None), (None, Some(8)),]
+    );
+    assert_eq!(pdo.bits.map(|field| field.name).as_deref(), Some("ready"));
+    assert_snapshot!(read::<Pdo>("entries = [1]").1, @r"
+    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits` and `name`, found an integer
+     --> device.toml:1:12
+      |
+    1 | entries = [1]
+      |            ^ in `entries`
+    ");
+    assert_snapshot!(read::<Pdo>("entries = [[\"a\", 1, \"b\"]]").1, @r#"
+    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits` and `name`, found an array
+     --> device.toml:1:12
+      |
+    1 | entries = [["a", 1, "b"]]
+      |            ^^^^^^^^^^^^^ in `entries`
+    "#);
 }

@@ -148,11 +148,12 @@ impl<'de> Deserializer<'de> for View<'de, '_> {
         fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Error> {
-        let Input::Table(table) = self.input else { return Err(self.mismatch(&visitor)) };
-        if self.top {
-            self.context.know(fields);
-        } else {
-            self.context.judge(table, self.at, fields);
+        match self.input {
+            Input::Table(_) if self.top => self.context.know(fields),
+            Input::Table(table) => self.context.judge(table, self.at, fields),
+            // A struct could be read from the values alone; in a description each value has its key.
+            Input::Array(_) => return Err(self.mismatch(&visitor)),
+            _ => {}
         }
         self.deserialize_any(visitor)
     }
