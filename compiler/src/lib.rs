@@ -1,7 +1,13 @@
 //! The compiler of device descriptions: TOML in; ESI, Markdown, JSON and Rust out.
 
+mod compile;
 pub mod diagnostic;
 pub mod emit;
 pub mod lint;
 pub mod model;
+mod profiles;
+pub mod raw;
+mod resolve;
 pub mod source;
+
+pub use compile::{Compilation, compile};

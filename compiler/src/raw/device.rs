@@ -27,8 +27,6 @@ pub struct RawHead {
     pub profile: Option<u32>,
     /// One letter for each port as ESI wants it: `Y` for MII (RJ45), `K` for LVDS (E-Bus).
     pub physics: Option<String>,
-    /// The number of axes if the description lists none.
-    pub axes: Option<u8>,
 }
 
 /// `[identity]`: what the identity object 0x1018 and the EEPROM say.

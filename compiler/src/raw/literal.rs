@@ -82,7 +82,9 @@ impl<'de> Deserialize<'de> for Fraction {
             Some((numerator, denominator)) if numerator > 0 && denominator > 0 => {
                 Ok(Self { numerator, denominator })
             }
-            _ => Err(de::Error::custom("expected a positive whole number or a fraction such as \"1/100000\"")),
+            _ => {
+                Err(de::Error::custom("expected a positive whole number or a fraction such as \"1/100000\""))
+            }
         }
     }
 }
@@ -103,9 +105,11 @@ impl<'de> Deserialize<'de> for Duration {
             _ => None,
         };
         let count = digits.parse::<u64>().ok();
-        factor.zip(count).and_then(|(factor, count)| count.checked_mul(factor)).map(Self).ok_or_else(|| {
-            de::Error::custom("expected a time with its unit, such as \"250 us\" or \"1 ms\"")
-        })
+        factor
+            .zip(count)
+            .and_then(|(factor, count)| count.checked_mul(factor))
+            .map(Self)
+            .ok_or_else(|| de::Error::custom("expected a time with its unit, such as \"250 us\" or \"1 ms\""))
     }
 }
 
@@ -122,7 +126,7 @@ impl<'de> Deserialize<'de> for Hex {
             .map(|pair| u8::from_str_radix(&pair.iter().collect::<String>(), 16).ok())
             .collect();
         match bytes {
-            Some(bytes) if digits.len() % 2 == 0 => Ok(Self(bytes)),
+            Some(bytes) if digits.len().is_multiple_of(2) => Ok(Self(bytes)),
             _ => Err(de::Error::custom("expected pairs of hexadecimal digits, such as \"050E03EE\"")),
         }
     }

@@ -23,12 +23,10 @@ pub use device::{RawAxes, RawDocument, RawEeprom, RawHead, RawIdentity, RawShift
 pub use entity::{Entity, ObjectEntity};
 pub use error::{RawError, RawVendorCode};
 pub use fact::{RawAssumed, RawErratum, RawFacts, RawRemark, RawRemarkKind};
-pub use front::{
-    RawConnector, RawLed, RawLedPattern, RawMasterSetting, RawParameter, RawProcedure, RawStep,
-};
+pub use front::{RawConnector, RawLed, RawLedPattern, RawMasterSetting, RawParameter, RawProcedure, RawStep};
 pub use literal::{Duration, Fraction, Hex, Literal};
 pub use mode::{RawMode, RawModeChange, RawMotionCommand, RawStopOption};
-pub use object::{RawAccess, RawCategory, RawEntry, RawKind, RawMappable, RawObject, RawTrigger};
+pub use object::{Ignored, RawAccess, RawCategory, RawEntry, RawKind, RawMappable, RawObject, RawTrigger};
 pub use pdo::{RawMailbox, RawMapped, RawPdo, RawSyncManager};
 pub use read::read;
 pub use state::{

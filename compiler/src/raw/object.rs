@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::{Literal, RawField};
-use crate::source::Node;
 
 /// `[objects.<index>]`: what makes it an object. What its value is stands in the same table, as a
 /// [`RawEntry`].
@@ -24,7 +23,7 @@ pub struct RawObject {
     pub per_axis: BTreeMap<String, Ignored>,
 }
 
-/// A table that is read later, on its own.
+/// A table whose members are read one by one; only its key is known here.
 #[derive(Debug, Default, Clone, Copy)]
 pub struct Ignored;
 
@@ -143,6 +142,3 @@ pub enum RawCategory {
     /// If something else is there.
     Conditional,
 }
-
-/// One entry of a record or array with the place of its key.
-pub type EntryNode<'a> = (&'a str, &'a Node);

@@ -45,7 +45,12 @@ fn strip(mut tree: Table, diagnostics: &mut Diagnostics) -> Table {
             tree = rest;
             if !found {
                 let message = format!("nothing stands at `{text}`");
-                diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, path.at, "cannot be left out"));
+                diagnostics.push(Diagnostic::new(
+                    &faults::UNKNOWN_REFERENCE,
+                    message,
+                    path.at,
+                    "cannot be left out",
+                ));
             }
         }
     }
@@ -221,12 +226,7 @@ fn entity<T: DeserializeOwned>(
     Some(Entity { key: key.to_owned(), origin: Origin::new(header, table), raw: raw?, facts: facts? })
 }
 
-fn object(
-    key: &str,
-    header: Location,
-    node: &Node,
-    diagnostics: &mut Diagnostics,
-) -> Option<ObjectEntity> {
+fn object(key: &str, header: Location, node: &Node, diagnostics: &mut Diagnostics) -> Option<ObjectEntity> {
     let table = table_of(node, diagnostics)?;
     let mut reader = Reader::new(&table, diagnostics);
     let raw = reader.part();

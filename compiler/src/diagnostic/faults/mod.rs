@@ -2,46 +2,58 @@
 //!
 //! One file a fault. A stage says `faults::UNKNOWN_KEY`; the list is for those who document or test them all.
 
+mod colliding_axes;
 mod duplicate_definition;
+mod duplicate_index;
 mod include_cycle;
 mod invalid_toml;
 mod invalid_value;
 mod missing_file;
 mod missing_key;
 mod outside_include;
+mod unfit_value;
 mod unknown_key;
 mod unknown_profile;
 mod unknown_reference;
 mod unreadable_file;
+mod untyped_entry;
 mod wrong_type;
 
+pub(crate) use colliding_axes::COLLIDING_AXES;
 pub(crate) use duplicate_definition::DUPLICATE_DEFINITION;
+pub(crate) use duplicate_index::DUPLICATE_INDEX;
 pub(crate) use include_cycle::INCLUDE_CYCLE;
 pub(crate) use invalid_toml::INVALID_TOML;
 pub(crate) use invalid_value::INVALID_VALUE;
 pub(crate) use missing_file::MISSING_FILE;
 pub(crate) use missing_key::MISSING_KEY;
 pub(crate) use outside_include::OUTSIDE_INCLUDE;
+pub(crate) use unfit_value::UNFIT_VALUE;
 pub(crate) use unknown_key::UNKNOWN_KEY;
 pub(crate) use unknown_profile::UNKNOWN_PROFILE;
 pub(crate) use unknown_reference::UNKNOWN_REFERENCE;
 pub(crate) use unreadable_file::UNREADABLE_FILE;
+pub(crate) use untyped_entry::UNTYPED_ENTRY;
 pub(crate) use wrong_type::WRONG_TYPE;
 
 use super::Rule;
 
 /// Every fault, by name.
 pub static ALL: &[&Rule] = &[
+    &COLLIDING_AXES,
     &DUPLICATE_DEFINITION,
+    &DUPLICATE_INDEX,
     &INCLUDE_CYCLE,
     &INVALID_TOML,
     &INVALID_VALUE,
     &MISSING_FILE,
     &MISSING_KEY,
     &OUTSIDE_INCLUDE,
+    &UNFIT_VALUE,
     &UNKNOWN_KEY,
     &UNKNOWN_PROFILE,
     &UNKNOWN_REFERENCE,
     &UNREADABLE_FILE,
+    &UNTYPED_ENTRY,
     &WRONG_TYPE,
 ];

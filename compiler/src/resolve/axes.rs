@@ -1,0 +1,85 @@
+//! Axes and the ranges of the dictionary that they repeat.
+
+use super::context::Context;
+use super::keys;
+use crate::diagnostic::{Diagnostic, faults};
+use crate::model::{Area, Axis, Index, Shift};
+use crate::raw::{Entity, RawArea, RawAxes};
+
+/// The axes of a device; one without a name if the description lists none.
+pub(super) fn axes(raw: Option<&Entity<RawAxes>>) -> Vec<Axis> {
+    let names = raw.map(|axes| &axes.raw.names[..]).filter(|names| !names.is_empty());
+    let Some(names) = names else { return vec![Axis { number: 0, name: String::new(), about: None }] };
+    let abouts = raw.map(|axes| &axes.raw.about[..]).unwrap_or_default();
+    let numbered = (0..=u8::MAX).zip(names);
+    numbered
+        .map(|(number, name)| Axis {
+            number,
+            name: name.clone(),
+            about: abouts.get(usize::from(number)).cloned(),
+        })
+        .collect()
+}
+
+/// The ranges that exist once for each axis; each must have room for all of them.
+pub(super) fn shifts(context: &mut Context<'_>, raw: Option<&Entity<RawAxes>>) -> Vec<Shift> {
+    let Some(raw) = raw else { return Vec::new() };
+    let mut shifts = Vec::new();
+    for (i, shift) in raw.raw.shifts.iter().enumerate() {
+        let at = raw.origin.value(&format!("shifts.{i}.range"));
+        let Some(range) = keys::range::<u16>(&shift.range) else {
+            context.invalid(&shift.range, "a range of indices such as \"0x6000..=0x67FF\"", at);
+            continue;
+        };
+        let (first, last) = range.into_inner();
+        let shift = Shift { first: Index(first), last: Index(last), by: shift.by };
+        match collision(&shift, context.axes.len()) {
+            None => shifts.push(shift),
+            Some((message, label)) => {
+                let by = raw.origin.value(&format!("shifts.{i}.by"));
+                let fault = Diagnostic::new(&faults::COLLIDING_AXES, message, by, label);
+                context.diagnostics.push(fault.label(at, "the range of the first axis"));
+            }
+        }
+    }
+    shifts
+}
+
+/// Why the axes would collide under a shift, if they would.
+fn collision(shift: &Shift, axes: usize) -> Option<(String, String)> {
+    let span = u32::from(shift.last.0) - u32::from(shift.first.0) + 1;
+    let by = u32::from(shift.by);
+    if axes > 1 && by < span {
+        let message = format!("axes 0x{by:X} apart share indices: each has 0x{span:X} of them");
+        return Some((message, format!("0x{span:X} or more keeps them apart")));
+    }
+    let last = u32::from(shift.last.0) + by * u32::try_from(axes.saturating_sub(1)).unwrap_or(u32::MAX);
+    (last > 0xFFFF).then(|| {
+        (
+            format!("the last of {axes} axes would end at 0x{last:X}"),
+            "the dictionary ends at 0xFFFF".to_owned(),
+        )
+    })
+}
+
+/// The titled ranges of the dictionary, by index.
+pub(super) fn areas(context: &mut Context<'_>, raw: Vec<Entity<RawArea>>) -> Vec<Area> {
+    let mut areas: Vec<Area> = Vec::new();
+    for area in raw {
+        match keys::range::<u16>(&area.key) {
+            None => {
+                let expected = "a range of indices such as \"0x2000..=0x5FFF\"";
+                context.invalid(&area.key, expected, area.origin.header());
+            }
+            Some(range) => areas.push(Area {
+                first: Index(*range.start()),
+                last: Index(*range.end()),
+                name: area.raw.name,
+                about: area.raw.about,
+                origin: area.origin,
+            }),
+        }
+    }
+    areas.sort_by_key(|area| (area.first, area.last));
+    areas
+}

@@ -1,0 +1,104 @@
+//! What every part of the resolver needs at hand.
+
+use std::str::FromStr;
+
+use super::names::Names;
+use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
+use crate::model::{Address, Axis, Document, Index, Provenance, Shift};
+use crate::source::{Location, Origin, Sources};
+
+/// The state of resolving one device.
+pub(super) struct Context<'a> {
+    pub(super) sources: &'a Sources,
+    pub(super) diagnostics: &'a mut Diagnostics,
+    pub(super) names: Names,
+    pub(super) axes: Vec<Axis>,
+    pub(super) shifts: Vec<Shift>,
+    pub(super) pdo_shift: u16,
+    pub(super) documents: Vec<Document>,
+}
+
+impl Context<'_> {
+    /// Reports a fault at a place.
+    pub(super) fn fault(&mut self, rule: &'static Rule, message: String, at: Location, label: &str) {
+        self.diagnostics.push(Diagnostic::new(rule, message, at, label));
+    }
+
+    /// Reports a value that cannot be read, and says what could.
+    pub(super) fn invalid(&mut self, text: &str, expected: &str, at: Location) {
+        let message = format!("`{text}` is not {expected}");
+        self.fault(&faults::INVALID_VALUE, message, at, &format!("expected {expected}"));
+    }
+
+    /// Reads a value, or reports that it cannot be read.
+    pub(super) fn parse<T: FromStr>(&mut self, text: &str, expected: &str, at: Location) -> Option<T> {
+        let value = text.parse().ok();
+        if value.is_none() {
+            self.invalid(text, expected, at);
+        }
+        value
+    }
+
+    /// Binds a reference to an object or an entry, or reports that there is none.
+    pub(super) fn address(&mut self, text: &str, at: Location) -> Option<Address> {
+        match self.names.find(text) {
+            Ok(address) => Some(address),
+            Err(near) => {
+                let message = format!("there is no object `{text}`");
+                let mut fault =
+                    Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
+                if let Some(near) = near {
+                    fault = fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\""));
+                }
+                self.diagnostics.push(fault);
+                None
+            }
+        }
+    }
+
+    /// Binds a list of references, reporting each that cannot be.
+    pub(super) fn addresses(&mut self, list: &[String], origin: &Origin, path: &str) -> Vec<Address> {
+        let places = list.iter().enumerate();
+        places.filter_map(|(i, text)| self.address(text, origin.value(&format!("{path}.{i}")))).collect()
+    }
+
+    /// Binds a reference to one of several named things, or reports that there is none.
+    pub(super) fn bind(&mut self, text: &str, known: &[String], what: &str, at: Location) -> Option<String> {
+        if known.iter().any(|name| name == text) {
+            return Some(text.to_owned());
+        }
+        let message = format!("there is no {what} `{text}`");
+        let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
+        fault = match super::ids::near(text, known.iter().map(String::as_str)) {
+            Some(near) => fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\"")),
+            None => fault.note(format!("known: {}", known.join(", "))),
+        };
+        self.diagnostics.push(fault);
+        None
+    }
+
+    /// Who set the value at `path`.
+    pub(super) fn provenance(&self, origin: &Origin, path: &str) -> Provenance {
+        let file = self.sources.get(origin.value(path).file);
+        if file.is_some_and(|file| file.embedded) { Provenance::Profile } else { Provenance::Device }
+    }
+
+    /// The numbers of the axes with the distance of their copy of an index from the first axis' one; no
+    /// axis if the object exists once.
+    pub(super) fn copies(&self, index: Index) -> Vec<(Option<u8>, u16)> {
+        let shift = self.shifts.iter().find(|shift| (shift.first..=shift.last).contains(&index));
+        match shift {
+            None => vec![(None, 0)],
+            Some(shift) => {
+                self.axes.iter().map(|axis| (Some(axis.number), shift.by * u16::from(axis.number))).collect()
+            }
+        }
+    }
+
+    /// The address on an axis of what `address` is on the first.
+    pub(super) fn on_axis(&self, address: Address, axis: Option<u8>) -> Address {
+        let copy = self.copies(address.index).into_iter().find(|(number, _)| *number == axis);
+        let by = copy.map_or(0, |(_, by)| by);
+        Address { index: Index(address.index.0.wrapping_add(by)), ..address }
+    }
+}

@@ -1,0 +1,150 @@
+//! Objects that follow from the PDOs and the sync managers.
+
+use super::entries::plain;
+use super::objects::Described;
+use super::overlay;
+use crate::model::{
+    Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Object, Pdo, Provenance,
+    Role, SyncManager, Value,
+};
+use crate::source::Origin;
+
+/// What the derived objects follow from.
+pub(super) struct Basis<'a> {
+    pub(super) pdos: &'a [Pdo],
+    pub(super) sync_managers: &'a [SyncManager],
+    pub(super) mailbox: Option<&'a Mailbox>,
+    pub(super) origin: &'a Origin,
+}
+
+/// The whole dictionary: the described objects, and the derived ones with what is said of them.
+pub(super) fn dictionary(
+    context: &mut super::context::Context<'_>,
+    described: Described,
+    basis: &Basis<'_>,
+) -> Vec<Object> {
+    let Described { mut objects, overlays } = described;
+    objects.extend(basis.pdos.iter().map(|pdo| mapping(pdo, basis)));
+    if !basis.sync_managers.is_empty() {
+        objects.push(types(basis));
+        objects.extend(basis.sync_managers.iter().filter_map(|manager| assignment(manager, basis)));
+    }
+    for (index, overlay) in overlays {
+        match objects.iter_mut().find(|object| object.index == index) {
+            Some(object) => overlay::apply(context, object, overlay),
+            None => {
+                let mut object = empty_assignment(index, overlay.object.origin.clone());
+                overlay::apply(context, &mut object, overlay);
+                objects.push(object);
+            }
+        }
+    }
+    objects.sort_by_key(|object| object.index);
+    objects
+}
+
+fn object(index: Index, id: String, name: String, entries: Vec<Entry>, origin: &Origin) -> Object {
+    Object {
+        index,
+        id,
+        name,
+        kind: Kind::Array,
+        axis: None,
+        category: Category::Mandatory,
+        about: None,
+        note: None,
+        functional: true,
+        parameter: None,
+        entries,
+        provenance: Provenance::Derived,
+        source: None,
+        origin: origin.clone(),
+    }
+}
+
+/// Subindex 0 with the number of entries in use, and the entries.
+fn entries(
+    index: Index,
+    data_type: DataType,
+    used: usize,
+    values: impl Iterator<Item = (String, u32)>,
+    access: Access,
+    origin: &Origin,
+) -> Vec<Entry> {
+    let mut count = super::entries::count(index, 0, origin);
+    count.default = Some(Value::Integer(i64::try_from(used).unwrap_or(i64::MAX)));
+    count.access = access;
+    let numbered = (1..=u8::MAX).zip(values);
+    let values = numbered.map(|(subindex, (name, value))| {
+        let mut entry = plain(Address { index, subindex }, &name, data_type, origin);
+        entry.id = format!("entry-{subindex}");
+        entry.default = Some(Value::Integer(value.into()));
+        entry.access = access;
+        entry
+    });
+    std::iter::once(count).chain(values).collect()
+}
+
+/// The mapping object of a PDO.
+fn mapping(pdo: &Pdo, basis: &Basis<'_>) -> Object {
+    let free = !pdo.fixed && basis.mailbox.is_some_and(|mailbox| mailbox.pdo_config);
+    let access = if free { Access::Rw } else { Access::Ro };
+    let values = pdo.entries.iter().map(|entry| {
+        let place = entry
+            .address
+            .map_or(0, |address| u32::from(address.index.0) << 16 | u32::from(address.subindex) << 8);
+        (entry.name.clone(), place | (entry.bits & 0xFF))
+    });
+    let entries = entries(pdo.index, DataType::Uint(32), pdo.entries.len(), values, access, &pdo.origin);
+    let kind = match pdo.direction {
+        Direction::Rx => "rx",
+        Direction::Tx => "tx",
+    };
+    let id = format!("{kind}-pdo-{:04x}", pdo.index.0);
+    let mut object = object(pdo.index, id, pdo.name.clone(), entries, &pdo.origin);
+    object.kind = Kind::Record;
+    object.axis = pdo.axis;
+    object.source = pdo.source.clone();
+    object
+}
+
+/// 0x1C00: what each sync manager is for, as ETG.1000.6 numbers it.
+fn types(basis: &Basis<'_>) -> Object {
+    let index = Index(0x1C00);
+    let values = basis.sync_managers.iter().map(|manager| {
+        (format!("Sync manager {}", manager.role.number()), u32::from(manager.role.number()) + 1)
+    });
+    let used = basis.sync_managers.len();
+    let entries = entries(index, DataType::Uint(8), used, values, Access::Ro, basis.origin);
+    let name = "Sync manager communication type";
+    object(index, "sync-manager-communication-type".to_owned(), name.to_owned(), entries, basis.origin)
+}
+
+/// 0x1C12 and 0x1C13: the PDOs that a sync manager carries.
+fn assignment(manager: &SyncManager, basis: &Basis<'_>) -> Option<Object> {
+    if !matches!(manager.role, Role::Outputs | Role::Inputs) {
+        return None;
+    }
+    let number = manager.role.number();
+    let index = Index(0x1C10 + u16::from(number));
+    let free = basis.mailbox.is_some_and(|mailbox| mailbox.pdo_assign);
+    let access = if free { Access::Rw } else { Access::Ro };
+    let slots = usize::from(manager.slots).max(manager.pdos.len());
+    let assigned = manager.pdos.iter().map(|index| u32::from(index.0)).chain(std::iter::repeat(0));
+    let values = (1..=slots).zip(assigned).map(|(slot, value)| (format!("SubIndex {slot:03}"), value));
+    let used = manager.pdos.len();
+    let entries = entries(index, DataType::Uint(16), used, values, access, &manager.origin);
+    let id = format!("sync-manager-{number}-pdo-assignment");
+    let name = format!("Sync manager {number} PDO assignment");
+    let mut object = object(index, id, name, entries, &manager.origin);
+    object.source = manager.source.clone();
+    Some(object)
+}
+
+/// 0x1C10 and 0x1C11, which never carry PDOs and exist only if a description says so.
+fn empty_assignment(index: Index, origin: Origin) -> Object {
+    let number = index.0 & 0xF;
+    let entries = entries(index, DataType::Uint(16), 0, std::iter::empty(), Access::Ro, &origin);
+    let id = format!("sync-manager-{number}-pdo-assignment");
+    object(index, id, format!("Sync manager {number} PDO assignment"), entries, &origin)
+}

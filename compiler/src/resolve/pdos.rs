@@ -1,0 +1,191 @@
+//! PDOs on each axis, laid out bit by bit.
+
+use super::context::Context;
+use super::objects::sibling_id;
+use super::{facts, names};
+use crate::diagnostic::{Diagnostic, faults};
+use crate::model::{Address, Direction, Index, Mapped, Object, Pdo};
+use crate::raw::{Entity, RawMapped, RawPdo};
+use crate::source::{Location, Origin};
+
+/// The PDOs of a direction, by index.
+pub(super) fn pdos(
+    context: &mut Context<'_>,
+    raw: &[Entity<RawPdo>],
+    direction: Direction,
+    objects: &[Object],
+) -> Vec<Pdo> {
+    let mut pdos = Vec::new();
+    for entity in raw {
+        let at = entity.origin.header();
+        let Some(index) = names::index(&entity.key).filter(|index| in_range(*index, direction)) else {
+            context.invalid(&entity.key, expected(direction), at);
+            continue;
+        };
+        for (axis, index) in copies(context, entity, index) {
+            pdos.push(pdo(context, entity, index, axis, direction, objects));
+        }
+    }
+    pdos.sort_by_key(|pdo| pdo.index);
+    report_duplicates(context, &pdos);
+    pdos
+}
+
+fn in_range(index: Index, direction: Direction) -> bool {
+    match direction {
+        Direction::Rx => (0x1600..=0x17FF).contains(&index.0),
+        Direction::Tx => (0x1A00..=0x1BFF).contains(&index.0),
+    }
+}
+
+fn expected(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Rx => "the index of a receive PDO, 0x1600 to 0x17FF",
+        Direction::Tx => "the index of a transmit PDO, 0x1A00 to 0x1BFF",
+    }
+}
+
+/// The axes that have a copy of a PDO, with its index there.
+pub(super) fn copies(
+    context: &Context<'_>,
+    entity: &Entity<RawPdo>,
+    index: Index,
+) -> Vec<(Option<u8>, Index)> {
+    if !entity.raw.per_axis {
+        return vec![(None, index)];
+    }
+    let axes = context.axes.iter().map(|axis| axis.number);
+    axes.map(|axis| (Some(axis), Index(index.0.wrapping_add(context.pdo_shift * u16::from(axis))))).collect()
+}
+
+fn report_duplicates(context: &mut Context<'_>, pdos: &[Pdo]) {
+    for pair in pdos.windows(2) {
+        if let [first, second] = pair
+            && first.index == second.index
+        {
+            let message = format!("there are two PDOs {}", second.index);
+            let fault = Diagnostic::new(&faults::DUPLICATE_INDEX, message, second.origin.header(), "here");
+            context.diagnostics.push(fault.label(first.origin.header(), "and here"));
+        }
+    }
+}
+
+fn pdo(
+    context: &mut Context<'_>,
+    entity: &Entity<RawPdo>,
+    index: Index,
+    axis: Option<u8>,
+    direction: Direction,
+    objects: &[Object],
+) -> Pdo {
+    let Entity { raw, origin, facts, .. } = entity;
+    let distance = index.0.wrapping_sub(names::index(&entity.key).map_or(index.0, |index| index.0));
+    Pdo {
+        index,
+        direction,
+        name: raw.name.clone(),
+        axis,
+        entries: mapped(context, raw, origin, axis, objects),
+        fixed: raw.fixed.unwrap_or(true),
+        mandatory: raw.mandatory,
+        excludes: excludes(context, raw, origin, distance),
+        mode: raw.mode,
+        total: raw.total,
+        max_bytes: raw.max_bytes,
+        max_entries: raw.max_entries,
+        about: raw.about.clone(),
+        source: facts::source(context, facts),
+        origin: origin.clone(),
+    }
+}
+
+fn excludes(context: &mut Context<'_>, raw: &RawPdo, origin: &Origin, distance: u16) -> Vec<Index> {
+    let mut excludes = Vec::new();
+    for (i, text) in raw.excludes.iter().enumerate() {
+        let at = origin.value(&format!("excludes.{i}"));
+        if let Some(address) = context.address(text, at) {
+            excludes.push(Index(address.index.0.wrapping_add(distance)));
+        }
+    }
+    excludes.sort();
+    excludes
+}
+
+fn mapped(
+    context: &mut Context<'_>,
+    raw: &RawPdo,
+    origin: &Origin,
+    axis: Option<u8>,
+    objects: &[Object],
+) -> Vec<Mapped> {
+    let mut offset = 0;
+    let mut ids = Vec::new();
+    let mut entries = Vec::new();
+    for (i, entry) in raw.entries.iter().enumerate() {
+        let at = origin.value(&format!("entries.{i}"));
+        if let Some(found) = one(context, entry, at, axis, objects) {
+            let mapped = Mapped { offset, id: sibling_id(&found.id, &mut ids), ..found };
+            offset += mapped.bits;
+            entries.push(mapped);
+        }
+    }
+    entries
+}
+
+fn one(
+    context: &mut Context<'_>,
+    raw: &RawMapped,
+    at: Location,
+    axis: Option<u8>,
+    objects: &[Object],
+) -> Option<Mapped> {
+    let padding = Mapped {
+        address: None,
+        name: "Padding".to_owned(),
+        id: "padding".to_owned(),
+        offset: 0,
+        bits: raw.bits.unwrap_or(0).into(),
+        data_type: None,
+        at,
+    };
+    let Some(text) = &raw.entry else { return Some(padding) };
+    let address = context.names.find(text).ok().map(|address| context.on_axis(address, axis));
+    let entry = address.and_then(|address| find(objects, address));
+    match (entry, absent(context, text, axis), raw.bits) {
+        (Some((object, entry)), ..) => {
+            let single = object.entries.len() == 1;
+            let name = if single { &object.name } else { &entry.name };
+            let id = if single { object.id.clone() } else { format!("{}-{}", object.id, entry.id) };
+            Some(Mapped {
+                address,
+                name: raw.name.clone().unwrap_or_else(|| name.clone()),
+                id,
+                bits: raw.bits.map_or(entry.data_type.bits(), u32::from),
+                data_type: Some(entry.data_type),
+                ..padding
+            })
+        }
+        (None, Some(address), Some(_)) => {
+            let name = raw.name.clone().unwrap_or_else(|| address.to_string());
+            Some(Mapped { address: Some(address), id: super::ids::id(&name), name, ..padding })
+        }
+        _ => {
+            context.address(text, at);
+            None
+        }
+    }
+}
+
+fn find(objects: &[Object], address: Address) -> Option<(&Object, &crate::model::Entry)> {
+    let place = objects.binary_search_by_key(&address.index, |object| object.index).ok()?;
+    let object = objects.get(place)?;
+    object.entry(address.subindex).map(|entry| (object, entry))
+}
+
+/// The address of something that a manual maps although its dictionary does not have it.
+fn absent(context: &Context<'_>, text: &str, axis: Option<u8>) -> Option<Address> {
+    let (index, subindex) = text.split_once(':').unwrap_or((text, "0"));
+    let index = names::index(index)?;
+    let subindex = u8::from_str_radix(subindex, 16).ok()?;
+    Some(context.on_axis(Address { index, subindex }, axis))
+}
