@@ -3,6 +3,9 @@
 //! An emitter gets a checked family and makes files of it. It cannot fail: what an output cannot express
 //! is a rule, and was reported before.
 
+#[cfg(feature = "esi")]
+pub mod esi;
+
 use std::collections::BTreeMap;
 
 use crate::lint::Checked;
@@ -21,7 +24,10 @@ pub trait Emitter: Sync {
 }
 
 /// The outputs that this build of devc can make.
-pub static ALL: &[&dyn Emitter] = &[];
+pub static ALL: &[&dyn Emitter] = &[
+    #[cfg(feature = "esi")]
+    &esi::Esi,
+];
 
 /// Files by name, relative to the output folder.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

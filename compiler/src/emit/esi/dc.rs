@@ -1,0 +1,25 @@
+//! `Dc`: the ways to keep time with the master.
+
+use super::element::Element;
+use super::literal::prose;
+use crate::model::{Device, SyncMode, SyncSignal};
+
+/// The operation modes, the default first; none if the device makes no use of distributed clocks.
+pub(super) fn dc(device: &Device) -> Option<Element> {
+    let synchronous = device.sync_modes.iter().any(|mode| mode.assign_activate != 0);
+    synchronous.then(|| Element::new("Dc").children(device.sync_modes.iter().map(op_mode)))
+}
+
+fn op_mode(mode: &SyncMode) -> Element {
+    Element::new("OpMode")
+        .child(Element::leaf("Name", &mode.id))
+        .child(Element::leaf("Desc", prose(&mode.name)))
+        .child(Element::leaf("AssignActivate", format_args!("#x{:03X}", mode.assign_activate)))
+        .children(mode.sync0.iter().flat_map(|signal| times(signal, "CycleTimeSync0", "ShiftTimeSync0")))
+        .children(mode.sync1.iter().flat_map(|signal| times(signal, "CycleTimeSync1", "ShiftTimeSync1")))
+}
+
+/// A period of 0 ns leaves it to the factor: so many cycles of the master.
+fn times(signal: &SyncSignal, cycle: &'static str, shift: &'static str) -> [Element; 2] {
+    [Element::leaf(cycle, 0).with("Factor", signal.cycles), Element::leaf(shift, signal.shift_ns)]
+}

@@ -1,0 +1,121 @@
+//! XML as a tree, and how it is written.
+
+use std::fmt::Display;
+use std::io;
+
+use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
+use quick_xml::writer::Writer;
+
+/// The language of all texts: English.
+const LANGUAGE: &str = "1033";
+
+/// An element with either text or children in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Element {
+    name: &'static str,
+    attributes: Vec<(&'static str, String)>,
+    text: Option<String>,
+    children: Vec<Element>,
+}
+
+impl Element {
+    /// An element with nothing in it.
+    pub(super) fn new(name: &'static str) -> Self {
+        Self { name, attributes: Vec::new(), text: None, children: Vec::new() }
+    }
+
+    /// An element with a value in it.
+    pub(super) fn leaf(name: &'static str, value: impl Display) -> Self {
+        Self { text: Some(printable(&value.to_string())), ..Self::new(name) }
+    }
+
+    /// An element with a text for people in it.
+    pub(super) fn worded(name: &'static str, text: impl Display) -> Self {
+        Self::leaf(name, text).with("LcId", LANGUAGE)
+    }
+
+    /// Adds an attribute.
+    pub(super) fn with(mut self, name: &'static str, value: impl Display) -> Self {
+        self.attributes.push((name, printable(&value.to_string())));
+        self
+    }
+
+    /// Adds an attribute that is true or false.
+    pub(super) fn with_flag(self, name: &'static str, value: bool) -> Self {
+        self.with(name, u8::from(value))
+    }
+
+    /// Adds an attribute if it has a value.
+    pub(super) fn with_some(self, name: &'static str, value: Option<impl Display>) -> Self {
+        match value {
+            Some(value) => self.with(name, value),
+            None => self,
+        }
+    }
+
+    /// Adds a child, if there is one.
+    pub(super) fn child(mut self, child: impl Into<Option<Element>>) -> Self {
+        self.children.extend(child.into());
+        self
+    }
+
+    /// Adds children.
+    pub(super) fn children(mut self, children: impl IntoIterator<Item = Element>) -> Self {
+        self.children.extend(children);
+        self
+    }
+
+    /// The element, unless nothing is in it.
+    pub(super) fn unless_empty(self) -> Option<Self> {
+        (!self.children.is_empty() || self.text.is_some()).then_some(self)
+    }
+
+    fn write(&self, writer: &mut Writer<Vec<u8>>) -> io::Result<()> {
+        let attributes = self.attributes.iter().map(|(name, value)| (*name, value.as_str()));
+        let start = BytesStart::new(self.name).with_attributes(attributes);
+        if self.children.is_empty() && self.text.is_none() {
+            return writer.write_event(Event::Empty(start));
+        }
+        writer.write_event(Event::Start(start))?;
+        if let Some(text) = &self.text {
+            writer.write_event(Event::Text(BytesText::new(text)))?;
+        }
+        for child in &self.children {
+            child.write(writer)?;
+        }
+        writer.write_event(Event::End(BytesEnd::new(self.name)))
+    }
+}
+
+/// A document: a comment at the head, then the root.
+pub(super) fn document(heading: &str, root: &Element) -> String {
+    let mut writer = Writer::new_with_indent(Vec::new(), b' ', 2);
+    let comment = BytesText::from_escaped(comment(heading));
+    let written = writer
+        .write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))
+        .and_then(|()| writer.write_event(Event::Comment(comment)))
+        .and_then(|()| root.write(&mut writer));
+    debug_assert!(written.is_ok(), "a Vec takes all that is written to it");
+    let mut text = String::from_utf8_lossy(&writer.into_inner()).into_owned();
+    text.push('\n');
+    text
+}
+
+/// The text as XML 1.0 can hold it: characters that it bans, such as NUL, become replacement characters.
+fn printable(text: &str) -> String {
+    let allowed =
+        |c: char| !matches!(c, '\0'..='\x08' | '\x0B' | '\x0C' | '\x0E'..='\x1F' | '\u{FFFE}' | '\u{FFFF}');
+    text.chars().map(|c| if allowed(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
+}
+
+/// The text as a comment can hold it: two hyphens would end it, so a space parts them.
+fn comment(text: &str) -> String {
+    let mut parted = String::with_capacity(text.len());
+    for c in printable(text).chars() {
+        if c == '-' && parted.ends_with('-') {
+            parted.push(' ');
+        }
+        parted.push(c);
+    }
+    parted
+}

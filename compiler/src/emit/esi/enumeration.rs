@@ -1,0 +1,54 @@
+//! Types for values with meanings.
+
+use super::element::Element;
+use super::literal::prose;
+use super::primitive;
+use crate::model::{DataType, Entry, Meaning};
+
+/// The values that the schema takes for an enumeration.
+const VALUES: std::ops::RangeInclusive<i64> = -0x8000_0000..=0xFFFF_FFFF;
+
+/// The first of the indices that ETG.1020 keeps for enumerations; types are named after them.
+const FIRST: usize = 0x0800;
+
+/// A basic type of which some values have a meaning.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Enumeration {
+    /// The type below.
+    pub(super) base: DataType,
+    meanings: Vec<Meaning>,
+}
+
+impl Enumeration {
+    /// The type of an entry, if its values have meanings.
+    pub(super) fn of(entry: &Entry) -> Option<Self> {
+        let base = entry.data_type;
+        let fits = |value| {
+            VALUES.contains(&value)
+                && base.range().is_some_and(|(min, max)| (min..=max).contains(&value.into()))
+        };
+        let meanings: Vec<_> = entry.values.iter().filter(|meaning| fits(meaning.value)).cloned().collect();
+        (!meanings.is_empty()).then_some(Self { base, meanings })
+    }
+
+    /// The name of the enumeration that is the `number`th in its dictionary, as `DT0800EN08`.
+    pub(super) fn name(&self, number: usize) -> String {
+        format!("DT{:04X}EN{:02}", FIRST.saturating_add(number), self.base.bits())
+    }
+
+    /// The declaration.
+    pub(super) fn declaration(&self, number: usize) -> Element {
+        Element::new("DataType")
+            .child(Element::leaf("Name", self.name(number)))
+            .child(Element::leaf("BaseType", primitive::name(self.base)))
+            .child(Element::leaf("BitSize", self.base.bits()))
+            .children(self.meanings.iter().map(meaning))
+    }
+}
+
+fn meaning(meaning: &Meaning) -> Element {
+    Element::new("EnumInfo")
+        .child(Element::worded("Text", &meaning.name))
+        .child(Element::leaf("Enum", meaning.value))
+        .child(meaning.about.as_deref().map(|about| Element::worded("Comment", prose(about))))
+}

@@ -1,0 +1,72 @@
+//! `Flags`: who may read, write and map a value.
+
+use super::element::Element;
+use crate::model::{Access, Category, Entry, Kind, Mappable, Object};
+
+/// The flags of an entry. A `SubItem` gets them all, since they hide those of its object as a whole.
+pub(super) fn of_entry(entry: &Entry) -> Element {
+    flags(access(entry), entry.category, entry.pdo)
+}
+
+/// The flags of an object: those of its value, or for an object of several what holds for any of them.
+pub(super) fn of_object(object: &Object) -> Element {
+    let values =
+        || object.entries.iter().filter(|entry| object.kind == Kind::Var || entry.address.subindex > 0);
+    let readable = values().any(|entry| entry.access.readable());
+    let writable = values().any(|entry| entry.access.writable());
+    let first = values().next().filter(|first| values().all(|entry| access(entry) == access(first)));
+    let access = first.map_or_else(|| Element::leaf("Access", word(readable, writable)), access);
+    let rx = values().any(|entry| entry.pdo.rx());
+    let tx = values().any(|entry| entry.pdo.tx());
+    flags(access, object.category, mappable(rx, tx))
+}
+
+fn flags(access: Element, category: Category, pdo: Mappable) -> Element {
+    let category = match category {
+        Category::Mandatory => "m",
+        Category::Optional => "o",
+        Category::Conditional => "c",
+    };
+    let mapping = match pdo {
+        Mappable::None => None,
+        Mappable::Rx => Some("R"),
+        Mappable::Tx => Some("T"),
+        Mappable::RxTx => Some("TR"),
+    };
+    Element::new("Flags")
+        .child(access)
+        .child(Element::leaf("Category", category))
+        .child(mapping.map(|directions| Element::leaf("PdoMapping", directions)))
+}
+
+fn access(entry: &Entry) -> Element {
+    let word = match entry.access {
+        Access::Ro | Access::Const => "ro",
+        Access::Wo => "wo",
+        Access::Rw => "rw",
+    };
+    // What is written while the state changes is written in the state before.
+    let state = match entry.written.as_deref() {
+        Some("IP" | "PS") => Some("PreOP"),
+        Some("SO") => Some("SafeOP"),
+        _ => None,
+    };
+    Element::leaf("Access", word).with_some("WriteRestrictions", state)
+}
+
+fn word(readable: bool, writable: bool) -> &'static str {
+    match (readable, writable) {
+        (_, false) => "ro",
+        (false, true) => "wo",
+        (true, true) => "rw",
+    }
+}
+
+fn mappable(rx: bool, tx: bool) -> Mappable {
+    match (rx, tx) {
+        (false, false) => Mappable::None,
+        (true, false) => Mappable::Rx,
+        (false, true) => Mappable::Tx,
+        (true, true) => Mappable::RxTx,
+    }
+}

@@ -1,0 +1,40 @@
+//! `RxPdo` and `TxPdo`: what can be exchanged in every cycle.
+
+use super::element::Element;
+use super::literal::Hex;
+use super::primitive;
+use crate::model::{Device, Direction, Mapped, Pdo, SyncManager};
+
+/// A PDO. Only one that is assigned at start-up names its sync manager.
+pub(super) fn pdo(device: &Device, pdo: &Pdo) -> Element {
+    let tag = match pdo.direction {
+        Direction::Rx => "RxPdo",
+        Direction::Tx => "TxPdo",
+    };
+    Element::new(tag)
+        .with_some("Fixed", pdo.fixed.then_some("1"))
+        .with_some("Mandatory", pdo.mandatory.then_some("1"))
+        .with_some("Sm", assigned_to(device, pdo).map(|manager| manager.role.number()))
+        .child(Element::leaf("Index", Hex(pdo.index.0)))
+        .child(Element::worded("Name", &pdo.name))
+        .children(pdo.excludes.iter().map(|other| Element::leaf("Exclude", Hex(other.0))))
+        .children(pdo.entries.iter().map(entry))
+}
+
+fn assigned_to<'a>(device: &'a Device, pdo: &Pdo) -> Option<&'a SyncManager> {
+    device.sync_managers.iter().find(|manager| manager.pdos.contains(&pdo.index))
+}
+
+fn entry(mapped: &Mapped) -> Element {
+    let Some(address) = mapped.address else { return padding(mapped.bits) };
+    Element::new("Entry")
+        .child(Element::leaf("Index", Hex(address.index.0)))
+        .child(Element::leaf("SubIndex", address.subindex))
+        .child(Element::leaf("BitLen", mapped.bits))
+        .child(Element::worded("Name", &mapped.name))
+        .child(mapped.data_type.map(|data_type| Element::leaf("DataType", primitive::name(data_type))))
+}
+
+fn padding(bits: u32) -> Element {
+    Element::new("Entry").child(Element::leaf("Index", "#x0")).child(Element::leaf("BitLen", bits))
+}

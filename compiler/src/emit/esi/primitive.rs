@@ -1,0 +1,49 @@
+//! Basic data types by their names in ETG.1020.
+
+use super::element::Element;
+use crate::model::DataType;
+
+/// The name, which is that of IEC 61131-3 where there is one.
+pub(super) fn name(data_type: DataType) -> String {
+    match data_type {
+        DataType::Bool => "BOOL".into(),
+        DataType::Int(8) => "SINT".into(),
+        DataType::Int(16) => "INT".into(),
+        DataType::Int(32) => "DINT".into(),
+        DataType::Int(64) => "LINT".into(),
+        DataType::Int(bits) => format!("INT{bits}"),
+        DataType::Uint(8) => "USINT".into(),
+        DataType::Uint(16) => "UINT".into(),
+        DataType::Uint(32) => "UDINT".into(),
+        DataType::Uint(64) => "ULINT".into(),
+        DataType::Uint(bits) => format!("UINT{bits}"),
+        DataType::Real32 => "REAL".into(),
+        DataType::Real64 => "LREAL".into(),
+        DataType::Bitstring(8) => "BYTE".into(),
+        DataType::Bitstring(16) => "WORD".into(),
+        DataType::Bitstring(_) => "DWORD".into(),
+        DataType::Bits(bits) => format!("BIT{bits}"),
+        DataType::Text(bytes) => format!("STRING({bytes})"),
+    }
+}
+
+/// The place of a type among its like: bits, numbers by sign and width, text by length.
+pub(super) fn order(data_type: DataType) -> (u8, u32) {
+    let kind = match data_type {
+        DataType::Bool => 0,
+        DataType::Bits(_) => 1,
+        DataType::Bitstring(_) => 2,
+        DataType::Int(_) => 3,
+        DataType::Uint(_) => 4,
+        DataType::Real32 | DataType::Real64 => 5,
+        DataType::Text(_) => 6,
+    };
+    (kind, data_type.bits())
+}
+
+/// The declaration.
+pub(super) fn declaration(data_type: DataType) -> Element {
+    Element::new("DataType")
+        .child(Element::leaf("Name", name(data_type)))
+        .child(Element::leaf("BitSize", data_type.bits()))
+}
