@@ -2,7 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::model::{Entry, Kind, Object};
+use crate::model::{DataType, Entry, Kind, Object};
+
+/// The type of subindex 0 beside other values, as ETG.1000.6 fixes it. What a description says instead would
+/// shift all that follows.
+const COUNT: DataType = DataType::Uint(8);
 
 /// The bit at which what follows subindex 0 starts: a byte is left free behind it.
 const FIRST_MEMBER: u32 = 16;
@@ -11,62 +15,54 @@ const FIRST_MEMBER: u32 = 16;
 #[derive(Debug)]
 pub(super) enum Shape<'a> {
     /// One value.
-    Var(&'a Entry),
-    /// A number of elements that are alike in all but name, limits and default.
-    Array {
-        /// Subindex 0.
-        count: Member<'a>,
-        /// The elements.
-        elements: Vec<Member<'a>>,
-    },
-    /// Members that differ.
+    Var(Member<'a>),
+    /// Subindex 0, and elements that are alike in all but name, limits and default.
+    Array(Vec<Member<'a>>),
+    /// Members that differ, subindex 0 first.
     Record(Vec<Member<'a>>),
 }
 
-/// A value among several.
+/// A value of an object.
 #[derive(Debug)]
 pub(super) struct Member<'a> {
-    /// The value.
+    /// What is said of it.
     pub(super) entry: &'a Entry,
     /// Its name, unique among its siblings.
     pub(super) name: String,
+    /// Its type.
+    pub(super) data_type: DataType,
     /// The first bit within the object.
     pub(super) offset: u32,
 }
 
 impl<'a> Shape<'a> {
-    /// The shape of an object; none if it has no entries at all.
-    pub(super) fn of(object: &'a Object) -> Option<Self> {
+    /// The shape of an object; a record of nothing if it has no entries.
+    pub(super) fn of(object: &'a Object) -> Self {
         match object.entries.as_slice() {
-            [] => None,
-            [only] => Some(Self::Var(only)),
-            entries => {
-                let mut members = layout(entries);
-                if object.kind == Kind::Array && alike(entries) {
-                    let elements = members.split_off(1);
-                    members.pop().map(|count| Self::Array { count, elements })
-                } else {
-                    Some(Self::Record(members))
-                }
+            [entry] => {
+                let (name, data_type) = (entry.name.clone(), entry.data_type);
+                Self::Var(Member { entry, name, data_type, offset: 0 })
             }
+            entries if object.kind == Kind::Array && alike(entries) => Self::Array(layout(entries)),
+            entries => Self::Record(layout(entries)),
         }
     }
 
-    /// The members by subindex, if there are several.
-    pub(super) fn members(&self) -> impl Iterator<Item = &Member<'a>> {
-        let (first, rest): (Option<&Member<'a>>, &[Member<'a>]) = match self {
-            Self::Var(_) => (None, &[]),
-            Self::Array { count, elements } => (Some(count), elements),
-            Self::Record(members) => (None, members),
-        };
-        first.into_iter().chain(rest)
+    /// All values by subindex.
+    pub(super) fn members(&self) -> &[Member<'a>] {
+        match self {
+            Self::Var(only) => std::slice::from_ref(only),
+            Self::Array(members) | Self::Record(members) => members,
+        }
     }
 
-    /// The width in bits.
+    /// The width in bits, for several values in whole bytes.
     pub(super) fn bits(&self) -> u32 {
         match self {
-            Self::Var(entry) => entry.data_type.bits(),
-            Self::Array { .. } | Self::Record(_) => self.members().last().map_or(0, Member::end),
+            Self::Var(only) => only.data_type.bits(),
+            Self::Array(members) | Self::Record(members) => {
+                members.last().map_or(0, Member::end).next_multiple_of(8)
+            }
         }
     }
 }
@@ -74,7 +70,7 @@ impl<'a> Shape<'a> {
 impl Member<'_> {
     /// The first bit behind it.
     pub(super) fn end(&self) -> u32 {
-        self.offset.saturating_add(self.entry.data_type.bits())
+        self.offset.saturating_add(self.data_type.bits())
     }
 }
 
@@ -98,13 +94,14 @@ fn layout(entries: &[Entry]) -> Vec<Member<'_>> {
     let mut names = BTreeSet::new();
     let mut members: Vec<Member<'_>> = Vec::with_capacity(entries.len());
     for entry in entries {
+        let data_type = if entry.address.subindex == 0 { COUNT } else { entry.data_type };
         let free = match members.as_slice() {
             [] => 0,
             [count] => count.end().max(FIRST_MEMBER),
             [.., last] => last.end(),
         };
-        let offset = if entry.data_type.bits() < 8 { free } else { free.next_multiple_of(8) };
-        members.push(Member { entry, name: unique(entry, &mut names), offset });
+        let offset = if data_type.bits() < 8 { free } else { free.next_multiple_of(8) };
+        members.push(Member { entry, name: unique(entry, &mut names), data_type, offset });
     }
     members
 }

@@ -1,9 +1,10 @@
 //! Types for values with meanings.
 
+use super::composite::Member;
 use super::element::Element;
 use super::literal::prose;
 use super::primitive;
-use crate::model::{DataType, Entry, Meaning};
+use crate::model::{DataType, Meaning};
 
 /// The values that the schema takes for an enumeration.
 const VALUES: std::ops::RangeInclusive<i64> = -0x8000_0000..=0xFFFF_FFFF;
@@ -20,15 +21,16 @@ pub(super) struct Enumeration {
 }
 
 impl Enumeration {
-    /// The type of an entry, if its values have meanings.
-    pub(super) fn of(entry: &Entry) -> Option<Self> {
-        let base = entry.data_type;
+    /// The type of a value, if it is a choice: at least two of its values have meanings.
+    pub(super) fn of(member: &Member<'_>) -> Option<Self> {
+        let base = member.data_type;
         let fits = |value| {
             VALUES.contains(&value)
                 && base.range().is_some_and(|(min, max)| (min..=max).contains(&value.into()))
         };
-        let meanings: Vec<_> = entry.values.iter().filter(|meaning| fits(meaning.value)).cloned().collect();
-        (!meanings.is_empty()).then_some(Self { base, meanings })
+        let meanings: Vec<_> =
+            member.entry.values.iter().filter(|meaning| fits(meaning.value)).cloned().collect();
+        (meanings.len() > 1).then_some(Self { base, meanings })
     }
 
     /// The name of the enumeration that is the `number`th in its dictionary, as `DT0800EN08`.

@@ -9,7 +9,7 @@ use crate::model::{Address, Device, Index};
 pub(super) fn profile(device: &Device) -> Element {
     let types = Types::of(device);
     let dictionary = Element::new("Dictionary")
-        .child(types.declarations(device))
+        .child(types.declarations())
         .child(Element::new("Objects").children(device.objects.iter().map(|it| objects::object(it, &types))));
     Element::new("Profile").children(number(device)).children(channels(device)).child(dictionary)
 }
