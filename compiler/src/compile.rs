@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::diagnostic::Diagnostics;
-use crate::lint::{self, Checked};
+use crate::lint::{self, Checked, Levels};
 use crate::model::Family;
 use crate::source::{Loader, Sources, load};
 use crate::{profiles, raw, resolve};
@@ -51,8 +51,9 @@ fn stages(
     if diagnostics.has_errors() {
         return None;
     }
+    let levels = members.first().map(|device| Levels::described(&device.lints)).unwrap_or_default();
     let family = resolve::resolve(&id, members, sources, diagnostics)?;
-    lint::check(family, diagnostics)
+    lint::check(family, &levels, diagnostics)
 }
 
 /// The name of the description's folder, from which the outputs take theirs.

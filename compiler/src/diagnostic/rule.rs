@@ -50,6 +50,53 @@ pub enum Group {
     Facts,
 }
 
+impl Group {
+    /// All groups, in the order in which they are listed.
+    pub const ALL: [Self; 7] = [
+        Self::Format,
+        Self::Dictionary,
+        Self::ProcessData,
+        Self::StateMachine,
+        Self::Values,
+        Self::Output,
+        Self::Facts,
+    ];
+
+    /// The name that settings use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Format => "format",
+            Self::Dictionary => "dictionary",
+            Self::ProcessData => "process-data",
+            Self::StateMachine => "state-machine",
+            Self::Values => "values",
+            Self::Output => "output",
+            Self::Facts => "facts",
+        }
+    }
+
+    /// The group of this name.
+    pub fn parse(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|group| group.name() == name)
+    }
+}
+
+impl Level {
+    /// The word that settings use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Allow => "allow",
+            Self::Warning => "warn",
+            Self::Error => "deny",
+        }
+    }
+
+    /// The level that a setting means.
+    pub fn parse(name: &str) -> Option<Self> {
+        [Self::Allow, Self::Warning, Self::Error].into_iter().find(|level| level.name() == name)
+    }
+}
+
 /// Declares a [`Rule`]; its doc comment is the rule's documentation.
 macro_rules! rule {
     (

@@ -1,13 +1,40 @@
 //! The rules: what is wrong with a device although it could be read.
 
 mod checked;
+mod errata;
+mod levels;
+mod report;
+mod rules;
 
 pub use checked::Checked;
+pub use levels::Levels;
+pub use rules::ALL;
 
-use crate::diagnostic::Diagnostics;
-use crate::model::Family;
+pub(crate) use report::Report;
+
+use crate::diagnostic::{Diagnostics, Rule};
+use crate::model::{Device, Family};
+
+/// A rule with the function that looks for its fault.
+pub struct Lint {
+    /// What it is about.
+    pub rule: &'static Rule,
+    pub(crate) check: fn(&Device, &mut Report),
+}
 
 /// Runs every rule on every member; the family comes back as checked if none of them refuses it.
-pub fn check(family: Family, diagnostics: &mut Diagnostics) -> Option<Checked<Family>> {
+///
+/// Errata take out what they answer, then levels decide how bad the rest is.
+pub fn check(family: Family, levels: &Levels, diagnostics: &mut Diagnostics) -> Option<Checked<Family>> {
+    for device in &family.members {
+        let mut report = Report::default();
+        for lint in ALL {
+            (lint.check)(device, &mut report);
+        }
+        let mut findings = report.finish();
+        findings.extend(levels.unknown());
+        errata::apply(device, &mut findings);
+        diagnostics.extend(findings.into_iter().filter_map(|finding| levels.judge(finding.diagnostic)));
+    }
     (!diagnostics.has_errors()).then_some(Checked(family))
 }

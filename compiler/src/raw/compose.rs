@@ -77,7 +77,7 @@ pub(super) fn without(table: &Table, path: &str) -> (Table, bool) {
 
 fn with(member: &Member, table: Table) -> Member {
     let node = Node { at: member.node.at, value: Value::Table(Arc::new(table)) };
-    Member { key: member.key.clone(), node }
+    Member { key: member.key.clone(), node, under: member.under.clone() }
 }
 
 /// A key in one spelling: `0x607a` and `0x607A` name the same object.

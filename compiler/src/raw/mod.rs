@@ -39,6 +39,9 @@ pub use word::{RawField, RawWord};
 
 use serde::Deserialize;
 
+use crate::diagnostic::Level;
+use crate::source::Location;
+
 /// A description, decoded table by table; every entity with the place it was written at.
 #[derive(Debug)]
 pub struct RawDevice {
@@ -129,10 +132,8 @@ pub struct RawArea {
 pub struct LintSetting {
     /// The rule or group.
     pub name: String,
-    /// `allow`, `warn` or `deny`.
-    pub level: String,
+    /// The level: `allow`, `warn` or `deny`.
+    pub level: Level,
     /// Where the rule is named.
-    pub name_at: crate::source::Location,
-    /// Where the level is named.
-    pub level_at: crate::source::Location,
+    pub at: Location,
 }

@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 
 use super::decode::Reader;
 use super::{Entity, LintSetting, ObjectEntity, RawDevice, RawEntry, RawFacts, compose};
-use crate::diagnostic::{Diagnostic, Diagnostics, faults};
+use crate::diagnostic::{Diagnostic, Diagnostics, Level, faults};
 use crate::source::{Document, Location, Member, Node, Origin, Table, Value};
 
 /// Decodes a description: one [`RawDevice`] for each member of a family, or just one.
@@ -160,14 +160,16 @@ impl Sections<'_> {
         let Some(section) = self.take("lints") else { return Vec::new() };
         let mut settings = Vec::new();
         for member in self.members(&section) {
-            match &member.node.value {
-                Value::String(level) => settings.push(LintSetting {
-                    name: member.key.name.to_string(),
-                    level: level.to_string(),
-                    name_at: member.key.at,
-                    level_at: member.node.at,
-                }),
-                _ => self.wrong(&member.node, "`\"allow\"`, `\"warn\"` or `\"deny\"`"),
+            let level = match &member.node.value {
+                Value::String(level) => Level::parse(level),
+                _ => None,
+            };
+            match level {
+                Some(level) => {
+                    let name = member.key.name.to_string();
+                    settings.push(LintSetting { name, level, at: member.key.at });
+                }
+                None => self.wrong(&member.node, "`\"allow\"`, `\"warn\"` or `\"deny\"`"),
             }
         }
         settings

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use super::names::Names;
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
 use crate::model::{Address, Axis, Document, Index, Provenance, Shift};
+use crate::source::near::near;
 use crate::source::{Location, Origin, Sources};
 
 /// The state of resolving one device.
@@ -69,7 +70,7 @@ impl Context<'_> {
         }
         let message = format!("there is no {what} `{text}`");
         let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
-        fault = match super::ids::near(text, known.iter().map(String::as_str)) {
+        fault = match near(text, known.iter().map(String::as_str)) {
             Some(near) => fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\"")),
             None => fault.note(format!("known: {}", known.join(", "))),
         };

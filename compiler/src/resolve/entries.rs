@@ -48,7 +48,9 @@ pub(super) fn several(context: &mut Context<'_>, entity: &ObjectEntity, index: I
     entries.sort_by_key(|entry| entry.address.subindex);
     if entries.first().is_none_or(|entry| entry.address.subindex != 0) {
         let highest = entries.last().map_or(0, |entry| entry.address.subindex);
-        entries.insert(0, count(index, highest, &entity.object.origin));
+        let mut count = count(index, highest, &entity.object.origin);
+        count.functional = entity.value.functional.unwrap_or(true);
+        entries.insert(0, count);
     }
     Some(entries)
 }

@@ -23,10 +23,3 @@ pub(super) fn unique(name: &str, taken: &[String]) -> String {
     let numbered = (2..).map(|n: u32| format!("{id}-{n}"));
     numbered.into_iter().find(|id| !taken.contains(id)).unwrap_or(id)
 }
-
-/// The known word that was probably meant.
-pub(super) fn near<'k>(word: &str, known: impl Iterator<Item = &'k str>) -> Option<&'k str> {
-    let scored = known.map(|known| (strsim::jaro_winkler(word, known), known));
-    let best = scored.filter(|(score, _)| *score > 0.84).max_by(|a, b| a.0.total_cmp(&b.0));
-    best.map(|(_, known)| known)
-}

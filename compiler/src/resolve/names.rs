@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::{ids, keys};
 use crate::model::{Address, Index};
 use crate::raw::{ObjectEntity, RawDevice};
+use crate::source::near::near;
 
 /// All objects that can be referred to, by id and by index, as they are on the first axis.
 #[derive(Default)]
@@ -43,7 +44,7 @@ impl Names {
         index
             .zip(subindex)
             .map(|(index, subindex)| Address { index, subindex })
-            .ok_or_else(|| ids::near(object, self.by_id.keys().map(String::as_str)).map(str::to_owned))
+            .ok_or_else(|| near(object, self.by_id.keys().map(String::as_str)).map(str::to_owned))
     }
 }
 

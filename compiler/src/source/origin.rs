@@ -35,6 +35,14 @@ impl Origin {
         self.find(path).is_some()
     }
 
+    /// The value that a profile has at `path`, if the description replaced it by its own.
+    pub fn under(&self, path: &str) -> Option<&Node> {
+        match path.rsplit_once('.') {
+            None => self.table.get(path)?.under.as_deref(),
+            Some((table, key)) => self.find(table)?.table()?.get(key)?.under.as_deref(),
+        }
+    }
+
     fn find(&self, path: &str) -> Option<&Node> {
         let mut parts = path.split('.');
         let mut node = &self.table.get(parts.next()?)?.node;

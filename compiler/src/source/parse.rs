@@ -39,7 +39,7 @@ impl Parser<'_> {
 
     fn member(&mut self, key: &Spanned<Cow<'_, str>>, value: &Spanned<DeValue<'_>>) -> Member {
         let key = Key { name: Arc::from(&**key.get_ref()), at: self.at(key.span()) };
-        Member { key, node: self.node(value) }
+        Member { key, node: self.node(value), under: None }
     }
 
     fn node(&mut self, value: &Spanned<DeValue<'_>>) -> Node {

@@ -51,6 +51,8 @@ pub struct Member {
     pub key: Key,
     /// The value.
     pub node: Node,
+    /// The value of the layer below that this one replaced.
+    pub under: Option<Arc<Node>>,
 }
 
 /// Keys with values, in the order in which they were written.
@@ -117,6 +119,6 @@ impl Member {
             }
             _ => self.node.clone(),
         };
-        Member { key: self.key.clone(), node }
+        Member { key: self.key.clone(), node, under: Some(Arc::new(base.node.clone())) }
     }
 }

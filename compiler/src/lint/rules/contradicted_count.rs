@@ -1,0 +1,50 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::model::{Device, Provenance};
+
+rule! {
+    /// Subindex 0 of a record or an array holds the highest subindex that there is. A master that reads an
+    /// object entry by entry stops there, or asks for entries that do not exist.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Gains"
+    ///
+    /// [objects.0x2000.entries]
+    /// 0 = { default = 3 }
+    /// 1 = { name = "Proportional", type = "UINT16" }
+    /// 2 = { name = "Integral", type = "UINT16" }
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Gains"
+    ///
+    /// [objects.0x2000.entries]
+    /// 0 = { default = 2 }
+    /// 1 = { name = "Proportional", type = "UINT16" }
+    /// 2 = { name = "Integral", type = "UINT16" }
+    /// ```
+    pub(super) static RULE = "contradicted-count", Dictionary, Warning,
+        "subindex 0 is not the highest subindex";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    let described = device.objects.iter().filter(|object| object.provenance != Provenance::Derived);
+    for object in described.filter(|object| object.entries.len() > 1) {
+        let Some(count) = object.entry(0) else { continue };
+        let says = count.default.as_ref().and_then(|default| default.integer());
+        let highest = object.highest_subindex();
+        if says != Some(highest.into())
+            && let Some(says) = says
+        {
+            let message = format!("{} says {says} entries, but the highest is {highest}", count.address);
+            let at = count.origin.value("default");
+            let diagnostic = Diagnostic::new(&RULE, message, at, format!("{highest} entries follow"));
+            let last = object.entries.last().map_or(at, |entry| entry.origin.header());
+            report.push(count.address, diagnostic.label(last, "the last of them"));
+        }
+    }
+}

@@ -1,0 +1,56 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::lint::report::Finding;
+use crate::model::{Device, Erratum};
+
+rule! {
+    /// An erratum answers one finding of one rule. If the rule finds nothing there, the manual or the
+    /// description has changed, or the erratum names the wrong place; either way it says something that no
+    /// longer holds.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [[errata]]
+    /// rule = "contradicted-count"
+    /// at = "0x2000:00"
+    /// says = "3 entries"
+    /// holds = "2 entries"
+    /// why = "two rows follow"
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Gains"
+    ///
+    /// [objects.0x2000.entries]
+    /// 0 = { default = 3 }
+    /// 1 = { name = "Proportional", type = "UINT16" }
+    /// 2 = { name = "Integral", type = "UINT16" }
+    ///
+    /// [[errata]]
+    /// rule = "contradicted-count"
+    /// at = "0x2000:00"
+    /// says = "3 entries"
+    /// holds = "2 entries"
+    /// why = "two rows follow"
+    /// ```
+    pub(super) static RULE = "idle-erratum", Facts, Error, "an erratum answers nothing";
+}
+
+/// Nothing by itself: which errata are idle shows only after all other rules have run.
+pub(super) fn check(_: &Device, _: &mut Report) {}
+
+/// The message about an erratum that answers none of the findings.
+pub(in crate::lint) fn judge(erratum: &Erratum, findings: &[Finding]) -> Diagnostic {
+    let Erratum { rule, at, .. } = erratum;
+    let message = format!("`{rule}` finds nothing at {at}");
+    let diagnostic = Diagnostic::new(&RULE, message, erratum.origin.value("at"), "nothing to answer here");
+    let same = findings.iter().filter(|finding| finding.diagnostic.rule.name == rule);
+    let places: Vec<&str> = same.map(|finding| finding.at.as_str()).collect();
+    if places.is_empty() {
+        diagnostic.help("take the erratum out if the fault is gone")
+    } else {
+        diagnostic.help(format!("it finds something at {}", places.join(", ")))
+    }
+}

@@ -1,0 +1,87 @@
+//! Every rule's documentation is its test: the first example fires it and nothing else, the second is silent.
+
+use std::path::Path;
+
+use devc::diagnostic::{Rule, faults};
+use devc::lint;
+use devc::source::Memory;
+
+/// What every example is completed with, unless it brings its own.
+const HEAD: &str = "\n[device]\nname = \"Example\"\nvendor = \"Example\"\n";
+const IDENTITY: &str = "\n[identity]\nvendor-id = 0x76D\nproduct-code = 3\nrevision = 1\n";
+
+fn rules() -> impl Iterator<Item = &'static Rule> {
+    faults::ALL.iter().copied().chain(lint::ALL.iter().map(|lint| lint.rule))
+}
+
+/// The example under a heading.
+fn example<'d>(docs: &'d str, heading: &str) -> Option<&'d str> {
+    let (_, section) = docs.split_once(&format!(" ## {heading}\n"))?;
+    let (_, fence) = section.split_once("```toml\n")?;
+    fence.split_once(" ```").map(|(example, _)| example)
+}
+
+/// The files of an example: the main one, and those that a line `# file: name` starts.
+fn files(example: &str) -> Vec<(String, String)> {
+    let lines = example.lines().map(|line| line.strip_prefix(' ').unwrap_or(line));
+    let mut files = vec![("device.toml".to_owned(), String::new())];
+    for line in lines {
+        match line.strip_prefix("# file: ") {
+            Some(name) => files.push((name.to_owned(), String::new())),
+            None => {
+                let (_, text) = files.last_mut().expect("there is a main file");
+                text.push_str(line);
+                text.push('\n');
+            }
+        }
+    }
+    let whole: String = files.iter().map(|(_, text)| text.as_str()).collect();
+    for (header, text) in [("[device]", HEAD), ("[identity]", IDENTITY)] {
+        if !whole.contains(header) {
+            files[0].1.push_str(text);
+        }
+    }
+    files
+}
+
+/// The rules that fire on an example.
+fn fired(example: &str) -> Vec<&'static str> {
+    let memory = files(example).into_iter().fold(Memory::default(), |memory, (name, text)| {
+        memory.with(Path::new("example").join(name), text.into_bytes())
+    });
+    let compilation = devc::compile(&memory, Path::new("example"));
+    let mut names: Vec<&str> =
+        compilation.diagnostics.iter().map(|diagnostic| diagnostic.rule.name).collect();
+    names.dedup();
+    names
+}
+
+#[test]
+fn examples_hold() {
+    let mut wrong = Vec::new();
+    for rule in rules() {
+        for (heading, expected) in [("Fires", vec![rule.name]), ("Silent", vec![])] {
+            match example(rule.docs, heading) {
+                None => wrong.push(format!("{}: no example under `## {heading}`", rule.name)),
+                Some(example) => {
+                    let fired = fired(example);
+                    if fired != expected {
+                        wrong.push(format!("{}: {heading} gives {fired:?}", rule.name));
+                    }
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn rules_are_sorted_and_named_once() {
+    let names: Vec<&str> = lint::ALL.iter().map(|lint| lint.rule.name).collect();
+    assert!(names.is_sorted(), "lint::rules lists rules by name: {names:?}");
+    let mut all: Vec<&str> = rules().map(|rule| rule.name).collect();
+    all.sort_unstable();
+    let count = all.len();
+    all.dedup();
+    assert_eq!(all.len(), count, "two rules share a name");
+}
