@@ -5,6 +5,10 @@
 
 #[cfg(feature = "esi")]
 pub mod esi;
+#[cfg(feature = "json")]
+pub mod json;
+#[cfg(feature = "markdown")]
+pub mod markdown;
 
 use std::collections::BTreeMap;
 
@@ -27,6 +31,10 @@ pub trait Emitter: Sync {
 pub static ALL: &[&dyn Emitter] = &[
     #[cfg(feature = "esi")]
     &esi::Esi,
+    #[cfg(feature = "markdown")]
+    &markdown::Markdown,
+    #[cfg(feature = "json")]
+    &json::Json,
 ];
 
 /// Files by name, relative to the output folder.

@@ -1,0 +1,65 @@
+//! The JSON model: everything that is known of a family, for other people's tools.
+//!
+//! The output is the resolved model itself, word for word, under a name and a version of its own. Indices and
+//! other numbers are numbers; a data type, a bit pattern and an enumeration are words. `model.schema.json`
+//! describes every member.
+
+#[cfg(feature = "schema")]
+mod schema;
+
+use serde::Serialize;
+
+use super::Emitter;
+use crate::lint::Checked;
+use crate::model::Family;
+
+#[cfg(feature = "schema")]
+pub use schema::schema;
+
+/// The word that tells this format from others.
+pub const FORMAT: &str = "devc-model";
+
+/// The version of the format: it grows when a reader of the version before could be misled.
+pub const VERSION: u32 = 1;
+
+/// The emitter of the JSON model.
+#[derive(Debug)]
+pub struct Json;
+
+/// What stands in the file.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(title = "devc model"))]
+struct Document<'a> {
+    /// Always `devc-model`.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = FORMAT)))]
+    format: &'a str,
+    /// The version of the format.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = VERSION)))]
+    version: u32,
+    /// The devices.
+    #[serde(flatten)]
+    family: &'a Family,
+}
+
+impl Emitter for Json {
+    fn name(&self) -> &'static str {
+        "json"
+    }
+
+    fn summary(&self) -> &'static str {
+        "the complete model, for other tools"
+    }
+
+    fn emit(&self, family: &Checked<Family>) -> String {
+        document(family)
+    }
+}
+
+fn document(family: &Family) -> String {
+    let document = Document { format: FORMAT, version: VERSION, family };
+    // Fails only for keys that are not text and for broken writers; the model has no maps, and a string takes all.
+    let mut text = serde_json::to_string_pretty(&document).unwrap_or_default();
+    text.push('\n');
+    text
+}

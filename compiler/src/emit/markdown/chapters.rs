@@ -1,0 +1,42 @@
+//! The chapters, one file each.
+
+mod axes;
+mod communication;
+mod connections;
+mod device;
+mod errors;
+mod modes;
+mod objects;
+mod process_data;
+mod service;
+mod sources;
+mod states;
+mod stopping;
+mod synchronisation;
+mod units;
+mod words;
+
+use super::context::Context;
+use super::document::{Prepared, prepare};
+
+/// Makes a chapter, if there is anything to show.
+type Prepare = fn(&Context<'_>) -> Option<Prepared>;
+
+/// All chapters, in the order of the document.
+pub(super) static CHAPTERS: &[Prepare] = &[
+    prepare::<device::View>,
+    prepare::<axes::View>,
+    prepare::<connections::View>,
+    prepare::<communication::View>,
+    prepare::<synchronisation::View>,
+    prepare::<process_data::View>,
+    prepare::<words::View>,
+    prepare::<states::View>,
+    prepare::<modes::View>,
+    prepare::<stopping::View>,
+    prepare::<errors::View>,
+    prepare::<units::View>,
+    prepare::<objects::View>,
+    prepare::<service::View>,
+    prepare::<sources::View>,
+];

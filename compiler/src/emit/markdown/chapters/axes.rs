@@ -1,0 +1,76 @@
+//! The axes and where each has its objects.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{code, list, text};
+use crate::emit::markdown::table::Table;
+use crate::model::{Axis, Index, Shift};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    coupling: String,
+    axes: Table,
+    rules: Vec<String>,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "axes";
+    const TITLE: &'static str = "Axes";
+    const TEMPLATE: &'static str = include_str!("../templates/axes.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let device = context.device;
+        let about = device.axes.iter().any(|axis| axis.about.is_some());
+        let shown = context.has_axes() || device.coupling.is_some() || about;
+        shown.then(|| Self {
+            coupling: context.paragraphs(device.coupling.as_deref()),
+            axes: axes(context),
+            rules: rules(context),
+        })
+    }
+}
+
+fn axes(context: &Context<'_>) -> Table {
+    let device = context.device;
+    Table::of(["No.", "Axis", "Motion", "Objects", "PDOs"], &device.axes, |axis| {
+        [
+            (axis.number + 1).to_string(),
+            format!("**{}**", text(&axis.name)),
+            context.optional(axis.about.as_deref()),
+            list(device.shifts.iter().map(|shift| range_of(axis, shift))),
+            pdos(context, axis),
+        ]
+    })
+}
+
+fn range_of(axis: &Axis, shift: &Shift) -> String {
+    let at = |index: Index| Index(index.0.saturating_add(shift.by.saturating_mul(axis.number.into())));
+    format!("{} to {}", code(at(shift.first)), code(at(shift.last)))
+}
+
+fn pdos(context: &Context<'_>, axis: &Axis) -> String {
+    let own = context.device.pdos.iter().filter(|pdo| pdo.axis == Some(axis.number));
+    list(own.map(|pdo| code(pdo.index)))
+}
+
+fn rules(context: &Context<'_>) -> Vec<String> {
+    let device = context.device;
+    if !context.has_axes() {
+        return Vec::new();
+    }
+    let first = device.axes.first().map_or("", |axis| axis.name.as_str());
+    let objects = device.shifts.iter().map(|shift| {
+        let (from, to) = (code(shift.first), code(shift.last));
+        format!("objects {from} to {to} by {}", code(format!("{:#X}", shift.by).replace("0X", "0x")))
+    });
+    let pdos = format!("PDOs by {}", code(format!("{:#X}", device.pdo_shift).replace("0X", "0x")));
+    let has_pdos = device.pdos.iter().any(|pdo| pdo.axis.is_some());
+    let moved = objects.chain(has_pdos.then_some(pdos));
+    vec![format!(
+        "Whatever exists once for each axis is described for axis {}. From an axis to the next move {}.",
+        text(first),
+        moved.collect::<Vec<_>>().join(", and ")
+    )]
+}

@@ -1,0 +1,111 @@
+//! The EtherCAT states, the sync managers and the mailbox.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{code, list, small, text};
+use crate::emit::markdown::number::bytes;
+use crate::emit::markdown::table::Table;
+use crate::model::{Mailbox, Role, SyncManager};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    states: Table,
+    transitions: Table,
+    sync_managers: Table,
+    mailbox: Table,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "communication";
+    const TITLE: &'static str = "Communication";
+    const TEMPLATE: &'static str = include_str!("../templates/communication.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let view = Self {
+            states: states(context),
+            transitions: transitions(context),
+            sync_managers: sync_managers(context),
+            mailbox: context.device.mailbox.as_ref().map(mailbox).unwrap_or_default(),
+        };
+        let tables = [&view.states, &view.transitions, &view.sync_managers, &view.mailbox];
+        tables.iter().any(|table| !table.is_empty()).then_some(view)
+    }
+}
+
+fn states(context: &Context<'_>) -> Table {
+    Table::of(
+        ["Code", "State", "What the device does", "Source"],
+        &context.device.communication_states,
+        |state| {
+            [
+                code(state.code),
+                format!("**{}**", text(&state.name)),
+                context.optional(state.about.as_deref()),
+                small(&context.source(state.source.as_ref())),
+            ]
+        },
+    )
+}
+
+fn transitions(context: &Context<'_>) -> Table {
+    let name = |id: &str| {
+        let states = &context.device.communication_states;
+        text(states.iter().find(|state| state.id == id).map_or(id, |state| &state.name))
+    };
+    let rows = &context.device.communication_transitions;
+    Table::of(["Change", "From", "To", "What the device does", "Source"], rows, |change| {
+        [
+            code(&change.id),
+            name(&change.from),
+            name(&change.to),
+            context.optional(change.about.as_deref()),
+            small(&context.source(change.source.as_ref())),
+        ]
+    })
+}
+
+fn sync_managers(context: &Context<'_>) -> Table {
+    let titles =
+        ["SM", "Carries", "Address", "Size", "At most", "Control", "PDOs by default", "Slots", "Source"];
+    Table::of(titles, &context.device.sync_managers, |manager| {
+        [
+            manager.role.number().to_string(),
+            carries(manager.role).into(),
+            code(format!("0x{:04X}", manager.address)),
+            bytes(manager.size.into()),
+            manager.max_size.map_or(String::new(), |size| bytes(size.into())),
+            code(format!("0x{:02X}", manager.control)),
+            list(manager.pdos.iter().map(|pdo| context.index(*pdo))),
+            slots(manager),
+            small(&context.source(manager.source.as_ref())),
+        ]
+    })
+}
+
+fn carries(role: Role) -> &'static str {
+    match role {
+        Role::MailboxOut => "mail from the master",
+        Role::MailboxIn => "mail to the master",
+        Role::Outputs => "outputs: process data from the master",
+        Role::Inputs => "inputs: process data to the master",
+    }
+}
+
+fn slots(manager: &SyncManager) -> String {
+    if manager.slots == 0 { String::new() } else { manager.slots.to_string() }
+}
+
+fn mailbox(mailbox: &Mailbox) -> Table {
+    let answer = |yes: bool| String::from(if yes { "yes" } else { "no" });
+    let rows = [
+        ("Protocols", list(mailbox.protocols.iter().map(|protocol| text(protocol)))),
+        ("Reading out the dictionary (SDO information)", answer(mailbox.sdo_info)),
+        ("Choosing PDOs (0x1C12, 0x1C13)", answer(mailbox.pdo_assign)),
+        ("Changing what PDOs map", answer(mailbox.pdo_config)),
+        ("Complete access", answer(mailbox.complete_access)),
+        ("Segmented transfer", answer(mailbox.segmented)),
+    ];
+    Table::of(["Mailbox", ""], rows, |(name, value)| [name.into(), value])
+}

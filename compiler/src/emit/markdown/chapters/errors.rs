@@ -1,0 +1,81 @@
+//! Error codes, and the vendor's own codes.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{anchor, code, link, list, small, text};
+use crate::emit::markdown::table::Table;
+use crate::model::{ErrorCode, Index};
+
+const ERROR_REGISTER: Index = Index(0x1001);
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    register: String,
+    errors: Table,
+    vendor_codes: Table,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "errors";
+    const TITLE: &'static str = "Errors";
+    const TEMPLATE: &'static str = include_str!("../templates/errors.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let device = context.device;
+        (!device.errors.is_empty() || !device.vendor_codes.is_empty()).then(|| Self {
+            register: register(context),
+            errors: errors(context),
+            vendor_codes: vendor_codes(context),
+        })
+    }
+}
+
+fn register(context: &Context<'_>) -> String {
+    let word = context.device.words.iter().find(|word| word.address.index == ERROR_REGISTER);
+    word.map_or(String::new(), |word| link(text(&word.name), context.word_id(&word.id)))
+}
+
+fn errors(context: &Context<'_>) -> Table {
+    let titles = ["Code", "Error", "Register", "Vendor code", "Meaning", "What to do", "Source"];
+    Table::of(titles, &context.device.errors, |error| {
+        [
+            format!("{}{}", anchor(context.id(&format!("error-{:04x}", error.code))), codes(error)),
+            format!("**{}**", text(&error.name)),
+            error.register.map_or(String::new(), |register| code(format!("0x{register:02X}"))),
+            list(error.vendor_codes.iter().map(|code| vendor_code(context, *code))),
+            context.optional(error.about.as_deref()),
+            context.optional(error.remedy.as_deref()),
+            small(&context.source(error.source.as_ref())),
+        ]
+    })
+}
+
+fn codes(error: &ErrorCode) -> String {
+    let hex = |number: u16| code(format!("0x{number:04X}"));
+    if error.is_range() { format!("{} to {}", hex(error.code), hex(error.last)) } else { hex(error.code) }
+}
+
+fn vendor_code(context: &Context<'_>, number: u32) -> String {
+    let known = context.device.vendor_codes.iter().any(|vendor| vendor.code == number);
+    if known { link(code(number), vendor_id(context, number)) } else { code(number) }
+}
+
+fn vendor_id(context: &Context<'_>, number: u32) -> String {
+    context.id(&format!("vendor-code-{number}"))
+}
+
+fn vendor_codes(context: &Context<'_>) -> Table {
+    let titles = ["Code", "Name", "Meaning", "Reported as", "Source"];
+    Table::of(titles, &context.device.vendor_codes, |vendor| {
+        let errors = context.device.errors.iter().filter(|error| error.vendor_codes.contains(&vendor.code));
+        [
+            format!("{}{}", anchor(vendor_id(context, vendor.code)), code(vendor.code)),
+            format!("**{}**", text(&vendor.name)),
+            context.optional(vendor.about.as_deref()),
+            list(errors.map(|error| link(codes(error), context.id(&format!("error-{:04x}", error.code))))),
+            small(&context.source(vendor.source.as_ref())),
+        ]
+    })
+}

@@ -1,0 +1,64 @@
+//! The object dictionary: a table for each area, and what a table cannot hold below it.
+
+mod area;
+mod detail;
+mod overview;
+mod per_axis;
+
+use serde::Serialize;
+
+use detail::ObjectView;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::{Chapter, Section};
+use crate::emit::markdown::inline::text;
+use crate::emit::markdown::table::Table;
+use crate::model::Object;
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    areas: Vec<AreaView>,
+}
+
+#[derive(Serialize)]
+struct AreaView {
+    anchor: String,
+    title: String,
+    about: String,
+    objects: Table,
+    on_axes: Table,
+    details: Vec<ObjectView>,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "objects";
+    const TITLE: &'static str = "Object dictionary";
+    const TEMPLATE: &'static str = include_str!("../templates/objects.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let areas: Vec<AreaView> =
+            area::areas(context).into_iter().map(|area| area_view(context, &area)).collect();
+        (!areas.is_empty()).then_some(Self { areas })
+    }
+
+    fn sections(&self) -> Vec<Section> {
+        let section = |area: &AreaView| Section { title: area.title.clone(), anchor: area.anchor.clone() };
+        self.areas.iter().map(section).collect()
+    }
+}
+
+fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
+    AreaView {
+        anchor: context.id(&format!("area-{:04x}", area.first)),
+        title: text(area.name),
+        about: context.paragraphs(area.about),
+        objects: overview::table(context, &area.objects),
+        on_axes: per_axis::indices(context, &area.objects),
+        details: area.objects.iter().filter_map(|object| detail::detail(context, object)).collect(),
+    }
+}
+
+/// Whether an object is the mapping of a PDO, which the chapter of process data shows.
+fn is_mapping(context: &Context<'_>, object: &Object) -> bool {
+    context.device.pdo(object.index).is_some()
+}

@@ -1,0 +1,47 @@
+//! The areas of the dictionary: those that the description names, and those of the standard for the rest.
+
+use crate::emit::markdown::context::Context;
+use crate::model::{Index, Object};
+
+/// An area with what is in it.
+pub(super) struct Contents<'a> {
+    pub(super) first: u16,
+    pub(super) name: &'a str,
+    pub(super) about: Option<&'a str>,
+    pub(super) objects: Vec<&'a Object>,
+}
+
+/// The parts of the dictionary by CiA 301 and ETG.1000.6.
+const STANDARD: [(u16, u16, &str); 4] = [
+    (0x0000, 0x0FFF, "Data types"),
+    (0x1000, 0x1FFF, "Communication"),
+    (0x2000, 0x5FFF, "Manufacturer"),
+    (0x6000, 0xFFFF, "Profile"),
+];
+
+/// The areas that are not empty, by index.
+pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Contents<'a>> {
+    let mut areas: Vec<Contents<'a>> = Vec::new();
+    for object in context.leading_objects().filter(|object| !repeats_mapping(context, object)) {
+        let (first, name, about) = area_of(context, object.index);
+        match areas.iter_mut().find(|area| area.first == first && area.name == name) {
+            Some(area) => area.objects.push(object),
+            None => areas.push(Contents { first, name, about, objects: vec![object] }),
+        }
+    }
+    areas
+}
+
+fn area_of<'a>(context: &Context<'a>, index: Index) -> (u16, &'a str, Option<&'a str>) {
+    let named = context.device.areas.iter().find(|area| (area.first..=area.last).contains(&index));
+    if let Some(area) = named {
+        return (area.first.0, &area.name, area.about.as_deref());
+    }
+    let standard = STANDARD.iter().find(|(first, last, _)| (*first..=*last).contains(&index.0));
+    standard.map_or((0, "Objects", None), |(first, _, name)| (*first, name, None))
+}
+
+/// Whether an object maps the PDO of an axis just as that of the first axis is mapped.
+fn repeats_mapping(context: &Context<'_>, object: &Object) -> bool {
+    context.device.pdo(object.index).is_some_and(|pdo| context.leading_pdo(pdo) != pdo.index)
+}

@@ -1,0 +1,106 @@
+//! What a person sets, in the device and in the master, and in which order.
+
+use serde::Serialize;
+
+use super::words::value;
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::{Chapter, Section};
+use crate::emit::markdown::inline::{code, sentence, small, text};
+use crate::emit::markdown::table::Table;
+use crate::model::{Parameter, Procedure, Step};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    master_settings: Table,
+    parameters: Table,
+    procedures: Vec<ProcedureView>,
+}
+
+#[derive(Serialize)]
+struct ProcedureView {
+    anchor: String,
+    name: String,
+    about: String,
+    steps: Vec<String>,
+    source: String,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "service";
+    const TITLE: &'static str = "Settings and procedures";
+    const TEMPLATE: &'static str = include_str!("../templates/service.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let view = Self {
+            master_settings: master_settings(context),
+            parameters: parameters(context),
+            procedures: context
+                .device
+                .procedures
+                .iter()
+                .map(|procedure| procedure_view(context, procedure))
+                .collect(),
+        };
+        let empty =
+            view.master_settings.is_empty() && view.parameters.is_empty() && view.procedures.is_empty();
+        (!empty).then_some(view)
+    }
+
+    fn sections(&self) -> Vec<Section> {
+        let section = |one: &ProcedureView| Section { title: one.name.clone(), anchor: one.anchor.clone() };
+        self.procedures.iter().map(section).collect()
+    }
+}
+
+fn master_settings(context: &Context<'_>) -> Table {
+    let titles = ["Setting", "Value", "For", "Why", "Source"];
+    Table::of(titles, &context.device.master_settings, |setting| {
+        [
+            format!("**{}**", text(&setting.name)),
+            context.prose(&setting.value),
+            if setting.per_axis { "each axis".into() } else { String::new() },
+            context.optional(setting.about.as_deref()),
+            small(&context.source(setting.source.as_ref())),
+        ]
+    })
+}
+
+fn parameters(context: &Context<'_>) -> Table {
+    let titles = ["Parameter", "Name", "On delivery", "What it does", "Source"];
+    Table::of(titles, &context.device.parameters, |parameter| {
+        [
+            code(&parameter.id),
+            format!("**{}**", text(&parameter.name)),
+            parameter.default.as_ref().map_or(String::new(), code),
+            effect(context, parameter),
+            small(&context.source(parameter.source.as_ref())),
+        ]
+    })
+}
+
+fn effect(context: &Context<'_>, parameter: &Parameter) -> String {
+    let about = parameter.about.iter().map(|about| context.prose(about));
+    let values = parameter.values.iter().map(|meaning| value(context, meaning));
+    about.chain(values).collect::<Vec<_>>().join("<br>")
+}
+
+fn procedure_view(context: &Context<'_>, procedure: &Procedure) -> ProcedureView {
+    ProcedureView {
+        anchor: context.id(&format!("procedure-{}", procedure.id)),
+        name: text(&procedure.name),
+        about: context.paragraphs(procedure.about.as_deref()),
+        steps: procedure.steps.iter().map(|one| step(context, one)).collect(),
+        source: small(&context.source(procedure.source.as_ref())),
+    }
+}
+
+fn step(context: &Context<'_>, step: &Step) -> String {
+    let text = sentence(&context.prose(&step.text));
+    let place = step.address.map(|address| context.whole(address));
+    match (place, &step.write) {
+        (Some(place), Some(value)) => format!("{text} Write {} to {place}.", code(value)),
+        (Some(place), None) => format!("{text} See {place}."),
+        (None, Some(value)) => format!("{text} Write {}.", code(value)),
+        (None, None) => text,
+    }
+}

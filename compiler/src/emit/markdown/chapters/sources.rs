@@ -1,0 +1,98 @@
+//! Where the facts are from, and how sure they are.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{anchor, code, sentence, small, text};
+use crate::emit::markdown::table::Table;
+use crate::model::{Erratum, RemarkKind};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    main: String,
+    documents: Table,
+    errata: Vec<ErratumView>,
+    remarks: Table,
+    assumptions: Table,
+}
+
+#[derive(Serialize)]
+struct ErratumView {
+    at: String,
+    says: String,
+    holds: String,
+    why: String,
+    rule: String,
+    source: String,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "sources";
+    const TITLE: &'static str = "Sources";
+    const TEMPLATE: &'static str = include_str!("../templates/sources.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let device = context.device;
+        let lists =
+            [device.documents.len(), device.errata.len(), device.remarks.len(), device.assumptions.len()];
+        (lists.iter().sum::<usize>() > 0).then(|| Self {
+            main: device.documents.first().map_or(String::new(), |document| text(&document.title)),
+            documents: documents(context),
+            errata: device.errata.iter().map(|erratum| erratum_view(context, erratum)).collect(),
+            remarks: remarks(context),
+            assumptions: assumptions(context),
+        })
+    }
+}
+
+fn documents(context: &Context<'_>) -> Table {
+    let titles = ["Document", "Number", "Edition", "Publisher", "Use"];
+    Table::of(titles, &context.device.documents, |document| {
+        let optional = |plain: &Option<String>| plain.as_deref().map_or(String::new(), text);
+        [
+            format!("{}{}", anchor(context.id(&format!("doc-{}", document.id))), text(&document.title)),
+            optional(&document.number),
+            optional(&document.edition),
+            optional(&document.publisher),
+            context.optional(document.about.as_deref()),
+        ]
+    })
+}
+
+fn erratum_view(context: &Context<'_>, erratum: &Erratum) -> ErratumView {
+    ErratumView {
+        at: context.prose(&erratum.at),
+        says: sentence(&context.prose(&erratum.says)),
+        holds: sentence(&context.prose(&erratum.holds)),
+        why: sentence(&context.prose(&erratum.why)),
+        rule: code(&erratum.rule),
+        source: small(&context.source(erratum.source.as_ref())),
+    }
+}
+
+fn remarks(context: &Context<'_>) -> Table {
+    Table::of(["About", "Kind", "What there is to know", "Source"], &context.device.remarks, |remark| {
+        [
+            context.prose(&remark.at),
+            kind(remark.kind).into(),
+            context.prose(&remark.text),
+            small(&context.source(remark.source.as_ref())),
+        ]
+    })
+}
+
+fn kind(kind: RemarkKind) -> &'static str {
+    match kind {
+        RemarkKind::Contradiction => "contradiction",
+        RemarkKind::Silence => "silence",
+        RemarkKind::Doubt => "doubt",
+    }
+}
+
+fn assumptions(context: &Context<'_>) -> Table {
+    Table::of(["About", "Taken to be", "Why"], &context.device.assumptions, |assumption| {
+        let value = assumption.value.as_ref().map_or(String::new(), code);
+        [context.prose(&assumption.at), value, context.prose(&assumption.reason)]
+    })
+}

@@ -1,0 +1,162 @@
+//! The state machine of the drive.
+
+mod diagram;
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{code, list, small, text};
+use crate::emit::markdown::table::Table;
+use crate::model::{Answer, Command, Pattern, Scope, State, Transition};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    diagram: String,
+    states: Table,
+    functions: Table,
+    commands: Table,
+    transitions: Table,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "states";
+    const TITLE: &'static str = "Drive states";
+    const TEMPLATE: &'static str = include_str!("../templates/states.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let device = context.device;
+        let shown =
+            !(device.states.is_empty() && device.commands.is_empty() && device.transitions.is_empty());
+        shown.then(|| Self {
+            diagram: diagram::diagram(device),
+            states: states(context),
+            functions: functions(context),
+            commands: commands(context),
+            transitions: transitions(context),
+        })
+    }
+}
+
+fn states(context: &Context<'_>) -> Table {
+    let statusword = word(context, "statusword", "Statusword");
+    let titles = ["State", &statusword, "Mask", "Value", "Meaning", "Source"];
+    Table::of(titles, &context.device.states, |state| {
+        let hex = |bits: fn(&Pattern) -> u16| {
+            state.pattern.as_ref().map_or(String::new(), |pattern| code(format!("0x{:04X}", bits(pattern))))
+        };
+        [
+            format!("**{}**", text(&state.name)),
+            pattern(state.pattern.as_ref()),
+            hex(Pattern::mask),
+            hex(Pattern::value),
+            state_meaning(context, state),
+            small(&context.source(state.source.as_ref())),
+        ]
+    })
+}
+
+/// The word of an id with a link, as the title of a column.
+fn word(context: &Context<'_>, id: &str, title: &str) -> String {
+    match context.device.word(id) {
+        Some(word) => format!("[{title}](#{})", context.word_id(&word.id)),
+        None => title.into(),
+    }
+}
+
+fn pattern(pattern: Option<&Pattern>) -> String {
+    pattern.map_or(String::new(), code)
+}
+
+fn state_meaning(context: &Context<'_>, state: &State) -> String {
+    let about = state.about.iter().map(|about| context.prose(about));
+    let features = state.features.iter().map(|feature| context.prose(feature));
+    let causes = state.causes.iter().map(|cause| format!("entered by: {}", context.prose(cause)));
+    about.chain(features).chain(causes).collect::<Vec<_>>().join("<br>")
+}
+
+fn functions(context: &Context<'_>) -> Table {
+    let titles =
+        ["State", "Brake applied", "Control power", "Motor power", "Drive function", "Configuration"];
+    let told = context.device.states.iter().filter(|state| answers(state).iter().any(Option::is_some));
+    Table::of(titles, told, |state| {
+        let [brake, low, high, function, configuration] = answers(state).map(answer);
+        [format!("**{}**", text(&state.name)), brake, low, high, function, configuration]
+    })
+}
+
+fn answers(state: &State) -> [Option<Answer>; 5] {
+    [state.brake, state.low_level_power, state.high_level_power, state.drive_function, state.configuration]
+}
+
+fn answer(answer: Option<Answer>) -> String {
+    match answer {
+        None => String::new(),
+        Some(Answer::Yes) => "✓".into(),
+        Some(Answer::No) => "–".into(),
+        Some(Answer::IfRequired) => "if required".into(),
+    }
+}
+
+fn commands(context: &Context<'_>) -> Table {
+    let controlword = word(context, "controlword", "Controlword");
+    let titles = ["Command", &controlword, "Transitions", "What it does", "Ignored in", "Source"];
+    Table::of(titles, &context.device.commands, |command: &Command| {
+        [
+            format!("**{}**", text(&command.name)),
+            pattern(command.pattern.as_ref()),
+            list(command.transitions.iter().map(u8::to_string)),
+            context.optional(command.about.as_deref()),
+            list(command.ignored_in.iter().map(|id| context.state(id))),
+            small(&context.source(command.source.as_ref())),
+        ]
+    })
+}
+
+fn transitions(context: &Context<'_>) -> Table {
+    let titles = ["No.", "From", "To", "Set off by", "Axes", "Power", "What happens", "Source"];
+    Table::of(titles, &context.device.transitions, |transition| {
+        [
+            format!("**{}**", transition.number),
+            from(context, transition),
+            context.state(&transition.to),
+            cause(context, transition),
+            scope(transition.axes).into(),
+            transition.power.as_deref().map_or(String::new(), text),
+            effect(context, transition),
+            small(&context.source(transition.source.as_ref())),
+        ]
+    })
+}
+
+fn from(context: &Context<'_>, transition: &Transition) -> String {
+    match &transition.from {
+        Some(id) => context.state(id),
+        None if transition.number == 0 => "*start*".into(),
+        None => "*any state*".into(),
+    }
+}
+
+fn scope(axes: Option<Scope>) -> &'static str {
+    match axes {
+        None => "",
+        Some(Scope::All) => "all",
+        Some(Scope::Any) => "any",
+    }
+}
+
+fn cause(context: &Context<'_>, transition: &Transition) -> String {
+    let commands = context.commands(transition.number).map(text);
+    let pattern = transition.pattern.iter().map(code);
+    let automatic = transition.automatic.then(|| "*automatic*".into());
+    let causes = transition.causes.iter().map(|cause| context.prose(cause));
+    commands.chain(pattern).chain(automatic).chain(causes).collect::<Vec<_>>().join("<br>")
+}
+
+fn effect(context: &Context<'_>, transition: &Transition) -> String {
+    let refused = (!transition.supported).then(|| "**not supported**".into());
+    let about = transition.about.iter().map(|about| context.prose(about));
+    let conditions =
+        transition.conditions.iter().map(|condition| format!("waits for: {}", context.prose(condition)));
+    refused.into_iter().chain(about).chain(conditions).collect::<Vec<_>>().join("<br>")
+}

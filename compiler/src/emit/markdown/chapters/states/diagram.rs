@@ -1,0 +1,59 @@
+//! The state machine as a Mermaid diagram, which GitHub and many other readers draw.
+
+use std::collections::BTreeMap;
+
+use crate::model::{Device, Transition};
+
+/// The diagram; empty if there is nothing to draw. Transitions between the same states share an arrow.
+pub(super) fn diagram(device: &Device) -> String {
+    let drawn = device.transitions.iter().filter(|transition| transition.supported);
+    let mut arrows: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
+    for transition in drawn {
+        let ends = (start(transition), node(&transition.to));
+        arrows.entry(ends).or_default().push(label(device, transition));
+    }
+    if arrows.is_empty() {
+        return String::new();
+    }
+    let mut lines: Vec<String> = vec!["stateDiagram-v2".into()];
+    lines.extend(
+        device
+            .states
+            .iter()
+            .map(|state| format!("    state \"{}\" as {}", plain(&state.name), node(&state.id))),
+    );
+    if arrows.keys().any(|(from, _)| from == ANY) {
+        lines.push(format!("    state \"any state\" as {ANY}"));
+    }
+    lines.extend(
+        arrows.iter().map(|((from, to), labels)| format!("    {from} --> {to}: {}", labels.join("<br>"))),
+    );
+    lines.join("\n")
+}
+
+const ANY: &str = "any_state";
+
+fn start(transition: &Transition) -> String {
+    match &transition.from {
+        Some(id) => node(id),
+        None if transition.number == 0 => "[*]".into(),
+        None => ANY.into(),
+    }
+}
+
+fn label(device: &Device, transition: &Transition) -> String {
+    let number = transition.number;
+    let commands = device.commands.iter().filter(|command| command.transitions.contains(&number));
+    let names: Vec<String> = commands.map(|command| plain(&command.name)).collect();
+    if names.is_empty() { number.to_string() } else { format!("{number} {}", names.join(" or ")) }
+}
+
+/// An id as Mermaid takes it.
+fn node(id: &str) -> String {
+    id.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
+}
+
+/// A name without what means something to Mermaid.
+fn plain(name: &str) -> String {
+    name.replace(['"', ':', ';', '<', '>', '#', '{', '}'], " ")
+}

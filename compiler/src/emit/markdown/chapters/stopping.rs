@@ -1,0 +1,41 @@
+//! What stops the drive, and how.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{list, small};
+use crate::emit::markdown::table::Table;
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    options: Table,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "stopping";
+    const TITLE: &'static str = "Stopping";
+    const TEMPLATE: &'static str = include_str!("../templates/stopping.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let titles = [
+            "What happens",
+            "Transitions",
+            "Reaction",
+            "How it slows down",
+            "What there is to know",
+            "Source",
+        ];
+        let options = Table::of(titles, &context.device.stop_options, |option| {
+            [
+                context.prose(&option.action),
+                list(option.transitions.iter().map(u8::to_string)),
+                context.prose(&option.reaction),
+                context.optional(option.ramp.as_deref()),
+                context.optional(option.about.as_deref()),
+                small(&context.source(option.source.as_ref())),
+            ]
+        });
+        (!options.is_empty()).then_some(Self { options })
+    }
+}

@@ -1,0 +1,95 @@
+//! How the device keeps time with the master.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{code, list, small, text};
+use crate::emit::markdown::number::duration;
+use crate::emit::markdown::table::Table;
+use crate::model::{DeadTime, SyncMode, SyncSignal};
+
+/// The cycles that the dead time is worked out for.
+const EXAMPLES_NS: [u64; 2] = [1_000_000, 2_000_000];
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    modes: Table,
+    cycle_times: Table,
+    dead_time: Option<DeadTimeView>,
+}
+
+#[derive(Serialize)]
+struct DeadTimeView {
+    formula: String,
+    about: String,
+    examples: Table,
+    source: String,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "synchronisation";
+    const TITLE: &'static str = "Synchronisation";
+    const TEMPLATE: &'static str = include_str!("../templates/synchronisation.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let dead_time = context.device.dead_time.as_ref().map(|dead_time| dead_time_view(context, dead_time));
+        let view = Self { modes: modes(context), cycle_times: cycle_times(context), dead_time };
+        let shown = !view.modes.is_empty() || !view.cycle_times.is_empty() || view.dead_time.is_some();
+        shown.then_some(view)
+    }
+}
+
+fn modes(context: &Context<'_>) -> Table {
+    let titles = ["Mode", "AssignActivate", "SYNC0", "SYNC1", "What there is to know", "Source"];
+    Table::of(titles, &context.device.sync_modes, |mode| {
+        [
+            name(mode),
+            code(format!("0x{:04X}", mode.assign_activate)),
+            mode.sync0.as_ref().map_or(String::new(), signal),
+            mode.sync1.as_ref().map_or(String::new(), signal),
+            context.optional(mode.about.as_deref()),
+            small(&context.source(mode.source.as_ref())),
+        ]
+    })
+}
+
+fn name(mode: &SyncMode) -> String {
+    let default = if mode.default { " (default)" } else { "" };
+    format!("**{}**{default}", text(&mode.name))
+}
+
+fn signal(signal: &SyncSignal) -> String {
+    let period = match signal.cycles {
+        0 | 1 => "every cycle".into(),
+        cycles if cycles < 0 => format!("{} times a cycle", cycles.unsigned_abs()),
+        cycles => format!("every {cycles} cycles"),
+    };
+    let shift = (signal.shift_ns > 0).then(|| format!("{} later", duration(signal.shift_ns)));
+    list([period].into_iter().chain(shift))
+}
+
+fn cycle_times(context: &Context<'_>) -> Table {
+    let titles = ["Cycle time", "At least", "To choose from", "What there is to know", "Source"];
+    Table::of(titles, &context.device.cycle_times, |time| {
+        [
+            text(&time.name),
+            time.min_ns.map_or(String::new(), duration),
+            list(time.choices_ns.iter().map(|ns| duration(*ns))),
+            context.optional(time.about.as_deref()),
+            small(&context.source(time.source.as_ref())),
+        ]
+    })
+}
+
+fn dead_time_view(context: &Context<'_>, dead_time: &DeadTime) -> DeadTimeView {
+    DeadTimeView {
+        formula: format!("dead time = {} × cycle time + {}", dead_time.cycles, duration(dead_time.plus_ns)),
+        about: context.paragraphs(dead_time.about.as_deref()),
+        examples: Table::of(["Cycle time", "Dead time"], EXAMPLES_NS, |cycle| {
+            let total = u64::from(dead_time.cycles) * cycle + dead_time.plus_ns;
+            [duration(cycle), format!("**{}**", duration(total))]
+        }),
+        source: small(&context.source(dead_time.source.as_ref())),
+    }
+}

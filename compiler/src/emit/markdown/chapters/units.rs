@@ -1,0 +1,119 @@
+//! What raw numbers mean, with an example that can be checked by hand.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{anchor, small, text};
+use crate::emit::markdown::number::{decimal, fraction, grouped};
+use crate::emit::markdown::table::Table;
+use crate::model::{AxisUnit, Path, Scale, Unit};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    units: Table,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "units";
+    const TITLE: &'static str = "Units and scaling";
+    const TEMPLATE: &'static str = include_str!("../templates/units.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let titles = [
+            "Quantity",
+            "Travels in",
+            "Axes",
+            "Unit",
+            "One unit is",
+            "Example",
+            "Factor",
+            "What there is to know",
+            "Source",
+        ];
+        let mut units = Table::new(titles);
+        for unit in &context.device.units {
+            for (number, (axes, on_axis)) in groups(unit).into_iter().enumerate() {
+                units.row(row(context, unit, number == 0, &axes, on_axis));
+            }
+        }
+        (!units.is_empty()).then_some(Self { units })
+    }
+}
+
+/// The axes that share a unit; no axes if all do.
+fn groups(unit: &Unit) -> Vec<(Vec<u8>, &AxisUnit)> {
+    let mut groups: Vec<(Vec<u8>, &AxisUnit)> = Vec::new();
+    for (axis, on_axis) in (0_u8..).zip(&unit.axes) {
+        match groups.iter_mut().find(|(_, same)| *same == on_axis) {
+            Some((axes, _)) => axes.push(axis),
+            None => groups.push((vec![axis], on_axis)),
+        }
+    }
+    match groups.as_slice() {
+        [(_, only)] => vec![(Vec::new(), *only)],
+        _ => groups,
+    }
+}
+
+fn row(context: &Context<'_>, unit: &Unit, first: bool, axes: &[u8], on_axis: &AxisUnit) -> [String; 9] {
+    let once = |cell: String| if first { cell } else { String::new() };
+    [
+        once(format!("{}**{}**", anchor(context.id(&format!("unit-{}", unit.id))), text(&unit.quantity))),
+        once(path(unit.path).into()),
+        if axes.is_empty() { String::new() } else { context.axes(axes) },
+        text(&on_axis.symbol),
+        on_axis.scale.map_or_else(|| "1".into(), one_unit),
+        on_axis.scale.map_or(String::new(), |scale| example(scale, &on_axis.symbol)),
+        once(unit.factor.map_or(String::new(), |address| context.address(address))),
+        once(context.optional(unit.about.as_deref())),
+        once(small(&context.source(unit.source.as_ref()))),
+    ]
+}
+
+fn path(path: Option<Path>) -> &'static str {
+    match path {
+        None => "",
+        Some(Path::Pdo) => "process data",
+        Some(Path::Sdo) => "SDOs",
+    }
+}
+
+fn one_unit(scale: Scale) -> String {
+    match decimal(scale.raw.into(), scale.units.into()) {
+        Some(whole) if !whole.contains('.') => whole.parse().map_or(whole, grouped),
+        Some(number) => number,
+        None => format!("{} / {}", grouped(scale.raw.into()), grouped(scale.units.into())),
+    }
+}
+
+/// A physical value that comes out as a whole raw number, as near to 12.5 as there is one.
+fn example(scale: Scale, symbol: &str) -> String {
+    let (raw, units) = (u128::from(scale.raw), u128::from(scale.units));
+    let halves = 25 * raw;
+    let (physical, number) = match halves.checked_rem(2 * units) {
+        Some(0) => ("12.5".to_owned(), halves / (2 * units)),
+        _ => (fraction(units, 1), raw),
+    };
+    let number = i128::try_from(number).map_or_else(|_| number.to_string(), grouped);
+    format!("{physical} {} ↔ {number}", text(symbol))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn examples_are_whole_raw_numbers() {
+        assert_eq!(example(Scale { raw: 100_000, units: 1 }, "mm"), "12.5 mm ↔ 1\u{202F}250\u{202F}000");
+        assert_eq!(example(Scale { raw: 1, units: 1 }, "µm"), "1 µm ↔ 1");
+        assert_eq!(example(Scale { raw: 4, units: 3 }, "rpm"), "3 rpm ↔ 4");
+    }
+
+    #[test]
+    fn a_unit_is_so_many_raw_steps() {
+        assert_eq!(one_unit(Scale { raw: 100_000, units: 1 }), "100\u{202F}000");
+        assert_eq!(one_unit(Scale { raw: 5, units: 2 }), "2.5");
+        assert_eq!(one_unit(Scale { raw: 4, units: 3 }), "4 / 3");
+    }
+}

@@ -1,0 +1,102 @@
+//! Words made of bits.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::{Context, mode_label};
+use crate::emit::markdown::document::{Chapter, Section};
+use crate::emit::markdown::inline::{code, link, small, text};
+use crate::emit::markdown::number::width;
+use crate::emit::markdown::table::Table;
+use crate::model::{Field, Meaning, Word};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    words: Vec<WordView>,
+}
+
+#[derive(Serialize)]
+struct WordView {
+    anchor: String,
+    name: String,
+    facts: String,
+    about: String,
+    fields: Table,
+    source: String,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "words";
+    const TITLE: &'static str = "Control and status words";
+    const TEMPLATE: &'static str = include_str!("../templates/words.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let words: Vec<WordView> = context.device.words.iter().map(|word| word_view(context, word)).collect();
+        (!words.is_empty()).then_some(Self { words })
+    }
+
+    fn sections(&self) -> Vec<Section> {
+        let section = |word: &WordView| Section { title: word.name.clone(), anchor: word.anchor.clone() };
+        self.words.iter().map(section).collect()
+    }
+}
+
+fn word_view(context: &Context<'_>, word: &Word) -> WordView {
+    WordView {
+        anchor: context.word_id(&word.id),
+        name: text(&word.name),
+        facts: format!("The {} of {}.", width(word.bits), context.named(word.address)),
+        about: context.paragraphs(word.about.as_deref()),
+        fields: Table::of(["Bit", "Name", "Meaning"], &word.fields, |field| {
+            [bits(field), name(field), meaning(context, word, field)]
+        }),
+        source: small(&context.source(word.source.as_ref())),
+    }
+}
+
+/// The bits of a field: `3`, `4–6`.
+pub(super) fn bits(field: &Field) -> String {
+    if field.low == field.high { field.low.to_string() } else { format!("{}–{}", field.low, field.high) }
+}
+
+/// The name of a field, quiet where it has no meaning.
+pub(super) fn name(field: &Field) -> String {
+    if field.reserved { format!("*{}*", text(&field.name)) } else { format!("**{}**", text(&field.name)) }
+}
+
+fn meaning(context: &Context<'_>, word: &Word, field: &Field) -> String {
+    let mut lines = statements(context, field);
+    if field.per_mode {
+        lines.extend(by_mode(context, word, field));
+    }
+    lines.join("<br>")
+}
+
+/// What is to be said of a field, a line each.
+pub(super) fn statements(context: &Context<'_>, field: &Field) -> Vec<String> {
+    let about = field.about.iter().map(|about| context.prose(about));
+    let values = field.values.iter().map(|meaning| value(context, meaning));
+    let rising = field.rising.iter().map(|effect| format!("0 → 1: {}", context.prose(effect)));
+    let falling = field.falling.iter().map(|effect| format!("1 → 0: {}", context.prose(effect)));
+    about.chain(values).chain(rising).chain(falling).collect()
+}
+
+/// A value with what it means.
+pub(super) fn value(context: &Context<'_>, meaning: &Meaning) -> String {
+    let about = meaning.about.as_ref().map_or(String::new(), |about| format!(": {}", context.prose(about)));
+    format!("{} {}{about}", code(meaning.value), text(&meaning.name))
+}
+
+/// What the modes make of a bit.
+fn by_mode(context: &Context<'_>, word: &Word, field: &Field) -> Vec<String> {
+    let modes = context.device.modes.iter();
+    let lines = modes.flat_map(|mode| {
+        let bits = match word.id.as_str() {
+            "controlword" => &mode.control_bits,
+            _ => &mode.status_bits,
+        };
+        let same =
+            bits.fields.iter().filter(|own| own.low <= field.high && field.low <= own.high && !own.reserved);
+        same.map(|own| format!("{}: {}", link(mode_label(mode), context.mode_id(mode.code)), text(&own.name)))
+    });
+    lines.collect()
+}

@@ -1,0 +1,74 @@
+//! Running text: escaped, and every index in it linked.
+
+use super::Context;
+use crate::emit::markdown::inline::{code, text};
+use crate::model::{Address, Index};
+
+impl Context<'_> {
+    /// Text on one line.
+    pub(in crate::emit::markdown) fn prose(&self, plain: &str) -> String {
+        let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
+        let mut out = String::new();
+        let mut rest = plain.as_str();
+        while let Some((before, after)) = rest.split_once("0x") {
+            let number = Number::read(after);
+            out.push_str(&keep_spaces(before));
+            out.push_str(&self.number(&number));
+            rest = number.rest;
+        }
+        out.push_str(&keep_spaces(rest));
+        out
+    }
+
+    /// Text on one line, if there is any.
+    pub(in crate::emit::markdown) fn optional(&self, plain: Option<&str>) -> String {
+        plain.map_or(String::new(), |plain| self.prose(plain))
+    }
+
+    /// Text in paragraphs, as blank lines divide it.
+    pub(in crate::emit::markdown) fn paragraphs(&self, plain: Option<&str>) -> String {
+        let paragraphs = plain.unwrap_or("").split("\n\n").map(|paragraph| self.prose(paragraph));
+        paragraphs.collect::<Vec<_>>().join("\n\n")
+    }
+
+    fn number(&self, number: &Number<'_>) -> String {
+        let index = (number.digits.len() == 4).then(|| u16::from_str_radix(number.digits, 16).ok()).flatten();
+        let subindex = number.subindex.and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        match (index.map(Index), subindex) {
+            (Some(index), Some(subindex)) => self.linked(index, &code(Address { index, subindex })),
+            (Some(index), None) => self.index(index),
+            (None, _) if number.digits.is_empty() => "0x".into(),
+            (None, _) => format!("`0x{}`", number.digits),
+        }
+    }
+}
+
+/// What follows `0x`.
+struct Number<'a> {
+    digits: &'a str,
+    subindex: Option<&'a str>,
+    rest: &'a str,
+}
+
+impl<'a> Number<'a> {
+    fn read(text: &'a str) -> Self {
+        let (digits, rest) = split_hex(text);
+        let subindex = rest.strip_prefix(':').map(split_hex).filter(|(sub, _)| sub.len() == 2);
+        match subindex {
+            Some((subindex, rest)) => Self { digits, subindex: Some(subindex), rest },
+            None => Self { digits, subindex: None, rest },
+        }
+    }
+}
+
+fn split_hex(text: &str) -> (&str, &str) {
+    let end = text.find(|c: char| !c.is_ascii_hexdigit()).unwrap_or(text.len());
+    text.split_at(end)
+}
+
+/// Escapes, but leaves a space at either end where it is.
+fn keep_spaces(plain: &str) -> String {
+    let front = if plain.starts_with(' ') { " " } else { "" };
+    let back = if plain.ends_with(' ') && plain.len() > 1 { " " } else { "" };
+    format!("{front}{}{back}", text(plain))
+}

@@ -1,0 +1,59 @@
+//! Values of entries: hexadecimal where the digits are bits or codes, decimal where they are amounts.
+
+use super::Context;
+use crate::emit::markdown::inline::{code, text};
+use crate::model::{DataType, Entry, Index, Value};
+
+impl Context<'_> {
+    /// A value of an entry.
+    pub(in crate::emit::markdown) fn value(&self, entry: &Entry, value: &Value) -> String {
+        match (value, value.integer()) {
+            (Value::Text(plain), _) if plain.is_empty() => "empty".into(),
+            (Value::Text(plain), _) => code(format!("\"{plain}\"")),
+            (_, Some(number)) => self.number_of(entry, number),
+            (_, None) => code(value),
+        }
+    }
+
+    /// A whole number of an entry.
+    pub(in crate::emit::markdown) fn number_of(&self, entry: &Entry, number: i128) -> String {
+        if self.is_flags(entry) { hex(entry.data_type, number) } else { code(number) }
+    }
+
+    /// A default, if there is one.
+    pub(in crate::emit::markdown) fn default(&self, entry: &Entry) -> String {
+        entry.default.as_ref().map_or(String::new(), |value| self.value(entry, value))
+    }
+
+    /// The least and the greatest value, if one is given.
+    pub(in crate::emit::markdown) fn range(&self, entry: &Entry) -> String {
+        let show = |value: &Option<Value>| value.as_ref().map(|value| self.value(entry, value));
+        match (show(&entry.min), show(&entry.max)) {
+            (Some(min), Some(max)) => format!("{min} to {max}"),
+            (Some(min), None) => format!("{min} or more"),
+            (None, Some(max)) => format!("up to {max}"),
+            (None, None) => String::new(),
+        }
+    }
+
+    /// Whether the digits of a value are bits or a code rather than an amount.
+    fn is_flags(&self, entry: &Entry) -> bool {
+        let bits = matches!(entry.data_type, DataType::Bitstring(_) | DataType::Bits(_));
+        let word = self.device.words.iter().any(|word| word.address == entry.address);
+        bits || word || is_code(entry.address.index, entry.address.subindex)
+    }
+}
+
+/// Device type, error codes, identity, and what the mapping and assignment objects hold.
+fn is_code(index: Index, subindex: u8) -> bool {
+    match index.0 {
+        0x1000 | 0x1001 | 0x603F => true,
+        0x1018 | 0x1600..=0x1BFF | 0x1C10..=0x1C2F => subindex > 0,
+        _ => false,
+    }
+}
+
+fn hex(data_type: DataType, number: i128) -> String {
+    let digits = usize::try_from(data_type.bits().div_ceil(4)).unwrap_or(1);
+    if number < 0 { text(&number.to_string()) } else { code(format!("0x{number:0digits$X}")) }
+}

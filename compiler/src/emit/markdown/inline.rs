@@ -1,0 +1,91 @@
+//! Markdown within a line.
+
+use std::fmt::Display;
+
+/// Text that means itself: whatever Markdown or HTML would read into it is escaped, and it is one line, so
+/// that it also fits a cell of a table.
+pub(super) fn text(plain: &str) -> String {
+    let mut out = String::with_capacity(plain.len());
+    for (place, word) in plain.split_whitespace().enumerate() {
+        if place > 0 {
+            out.push(' ');
+        }
+        escape(word, &mut out);
+    }
+    out
+}
+
+fn escape(word: &str, out: &mut String) {
+    let last = word.chars().count().saturating_sub(1);
+    for (place, c) in word.chars().enumerate() {
+        let markup = match c {
+            '\\' | '`' | '*' | '[' | ']' | '<' | '|' | '~' | '$' | '&' => true,
+            // Within a word an underscore is one.
+            '_' => place == 0 || place == last,
+            _ => false,
+        };
+        if markup {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+}
+
+/// A value as it is to be typed: `0x6040`.
+pub(super) fn code(value: impl Display) -> String {
+    let value = value.to_string();
+    if value.contains(['`', '|', '\n']) { text(&value) } else { format!("`{value}`") }
+}
+
+/// A link to a place in the document.
+pub(super) fn link(label: impl Display, anchor: impl Display) -> String {
+    format!("[{label}](#{anchor})")
+}
+
+/// A place that links can lead to.
+pub(super) fn anchor(id: impl Display) -> String {
+    format!("<a id=\"{id}\"></a>")
+}
+
+/// Small print.
+pub(super) fn small(markdown: &str) -> String {
+    if markdown.is_empty() { String::new() } else { format!("<sub>{markdown}</sub>") }
+}
+
+/// A sentence with a capital at its front and a full stop at its end.
+pub(super) fn sentence(markdown: &str) -> String {
+    let mut chars = markdown.chars();
+    let Some(first) = chars.next() else { return String::new() };
+    let end = if markdown.ends_with(['.', '!', '?', ':']) { "" } else { "." };
+    format!("{}{}{end}", first.to_uppercase(), chars.as_str())
+}
+
+/// Things in a row: `a, b and c`.
+pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
+    items.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_means_itself_and_fits_a_cell() {
+        assert_eq!(text("a | b\nc <br> *d*"), r"a \| b c \<br> \*d\*");
+        assert_eq!(text("_x_ a_b"), r"\_x\_ a_b");
+        assert_eq!(text("3 & $4 [x]"), r"3 \& \$4 \[x\]");
+    }
+
+    #[test]
+    fn code_that_would_break_its_span_is_text() {
+        assert_eq!(code("0x6040"), "`0x6040`");
+        assert_eq!(code("a|b"), r"a\|b");
+    }
+
+    #[test]
+    fn sentences_begin_and_end() {
+        assert_eq!(sentence("the drive stops"), "The drive stops.");
+        assert_eq!(sentence("Stop!"), "Stop!");
+        assert_eq!(sentence(""), "");
+    }
+}

@@ -1,0 +1,34 @@
+//! The reference chapter of a manual, in Markdown.
+//!
+//! Each chapter is a *view*, a struct that holds what is to be printed and decides what is not, and a template
+//! that says in what order and under which headings. A view that is not there takes its line of the contents
+//! with it.
+
+mod chapters;
+mod context;
+mod document;
+mod inline;
+mod number;
+mod table;
+
+use super::Emitter;
+use crate::lint::Checked;
+use crate::model::Family;
+
+/// The emitter of the reference.
+#[derive(Debug)]
+pub struct Markdown;
+
+impl Emitter for Markdown {
+    fn name(&self) -> &'static str {
+        "md"
+    }
+
+    fn summary(&self) -> &'static str {
+        "the reference chapter of a manual"
+    }
+
+    fn emit(&self, family: &Checked<Family>) -> String {
+        document::document(family)
+    }
+}
