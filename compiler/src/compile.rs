@@ -21,38 +21,74 @@ pub struct Compilation {
     pub files: Vec<PathBuf>,
 }
 
+/// A stage of the pipeline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Files read and parsed.
+    Load,
+    /// Tables turned into the format's structs.
+    Decode,
+    /// Axes written out, references bound, PDOs laid out.
+    Resolve,
+    /// Rules asked.
+    Check,
+}
+
+impl Stage {
+    /// The name in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Load => "load",
+            Self::Decode => "decode",
+            Self::Resolve => "resolve",
+            Self::Check => "check",
+        }
+    }
+}
+
 /// Compiles the description at `path`: a folder with a `device.toml`, or that file.
 ///
 /// A stage runs if the one before left no error; inside a stage everything is reported.
 pub fn compile(loader: &dyn Loader, path: &Path) -> Compilation {
-    let mut sources = Sources::default();
-    let mut diagnostics = Diagnostics::default();
-    let mut files = Vec::new();
-    let family = stages(loader, path, &mut sources, &mut diagnostics, &mut files);
-    diagnostics.finish();
-    Compilation { family, diagnostics, sources, files }
+    compile_watched(loader, path, &mut |_| ())
+}
+
+/// Compiles as [`compile`] does, and tells `enter` each stage as it begins.
+pub fn compile_watched(loader: &dyn Loader, path: &Path, enter: &mut dyn FnMut(Stage)) -> Compilation {
+    let mut compilation = Compilation {
+        family: None,
+        diagnostics: Diagnostics::default(),
+        sources: Sources::default(),
+        files: Vec::new(),
+    };
+    compilation.family = stages(loader, path, &mut compilation, enter);
+    compilation.diagnostics.finish();
+    compilation
 }
 
 fn stages(
     loader: &dyn Loader,
     path: &Path,
-    sources: &mut Sources,
-    diagnostics: &mut Diagnostics,
-    files: &mut Vec<PathBuf>,
+    compilation: &mut Compilation,
+    enter: &mut dyn FnMut(Stage),
 ) -> Option<Checked<Family>> {
-    let document = load(loader, path, profiles::ALL, sources, diagnostics);
-    let document = document?;
-    files.extend(document.files.iter().cloned());
+    let Compilation { diagnostics, sources, files, .. } = compilation;
+    enter(Stage::Load);
+    let document = load(loader, path, profiles::ALL, sources, diagnostics)?;
+    files.clone_from(&document.files);
     if diagnostics.has_errors() {
         return None;
     }
+    enter(Stage::Decode);
     let id = id(loader, path);
     let members = raw::read(&document, &id, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
     let levels = members.first().map(|device| Levels::described(&device.lints)).unwrap_or_default();
+    enter(Stage::Resolve);
     let family = resolve::resolve(&id, members, sources, diagnostics)?;
+    enter(Stage::Check);
     lint::check(family, &levels, diagnostics)
 }
 

@@ -8,6 +8,7 @@ pub mod model;
 mod profiles;
 pub mod raw;
 mod resolve;
+pub mod rules;
 pub mod source;
 
-pub use compile::{Compilation, compile};
+pub use compile::{Compilation, Stage, compile, compile_watched};
