@@ -1,0 +1,75 @@
+//! The command line: one file a subcommand.
+//!
+//! It alone writes files, prints and looks at the clock; all else it asks of the library.
+
+mod build;
+mod check;
+mod explain;
+mod outcome;
+mod paths;
+mod report;
+mod rules;
+mod timings;
+mod write;
+
+use std::process::ExitCode;
+
+use clap::{ColorChoice, Parser, Subcommand};
+
+use report::Report;
+
+/// Compiles descriptions of EtherCAT drives into ESI XML, Markdown, JSON and Rust.
+///
+/// A description is a folder with a `device.toml`, which may include other TOML files of the folder.
+#[derive(Debug, Parser)]
+#[command(version, max_term_width = 100, after_help = EXAMPLES, after_long_help = LONG_EXAMPLES)]
+struct Arguments {
+    /// When to use colours.
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    color: ColorChoice,
+
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Build(build::Build),
+    Check(check::Check),
+    Explain(explain::Explain),
+    Rules(rules::Rules),
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  devc build                      make the outputs of every description under devices/
+  devc build devices/c887         make those of one
+  devc check devices/c887         only say what is wrong with it
+  devc explain unknown-key        what a message means, with an example";
+
+const LONG_EXAMPLES: &str = "\
+Examples:
+  devc build                      make the outputs of every description under devices/
+  devc build devices/c887         make those of one
+  devc build --emit xml,md        make only the ESI and the Markdown
+  devc build --check              say whether generated/ is up to date, and write nothing
+  devc check devices/c887         only say what is wrong with it
+  devc explain unknown-key        what a message means, with an example
+
+Exit codes:
+  0  all is well; there may be warnings
+  1  findings: errors in a description, or outputs that are not up to date
+  2  devc could not run: bad arguments, no such description, an output that cannot be written";
+
+/// Does what the arguments say.
+pub(crate) fn run() -> ExitCode {
+    let arguments = Arguments::parse();
+    let report = Report::new(arguments.color);
+    let outcome = match &arguments.command {
+        Command::Build(build) => build.run(&report),
+        Command::Check(check) => check.run(&report),
+        Command::Explain(explain) => explain.run(&report),
+        Command::Rules(rules) => rules.run(&report),
+    };
+    outcome.unwrap_or_else(|failure| report.failure(&failure)).into()
+}

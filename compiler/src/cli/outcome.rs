@@ -1,0 +1,68 @@
+//! How a run can end.
+
+use std::io;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// The end of a run, the worse the later.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Outcome {
+    /// All is well.
+    Clean,
+    /// devc found something that a person has to look at.
+    Findings,
+    /// devc could not do its work.
+    Failed,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Clean => Self::from(0),
+            Outcome::Findings => Self::from(1),
+            Outcome::Failed => Self::from(2),
+        }
+    }
+}
+
+/// Why devc could not do its work.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Failure {
+    /// What went wrong, in lower case; empty if nobody is left to be told.
+    pub(super) what: String,
+    /// What to do about it.
+    pub(super) help: Option<String>,
+}
+
+impl Failure {
+    pub(super) fn new(what: impl Into<String>) -> Self {
+        Self { what: what.into(), help: None }
+    }
+
+    /// The system refused to do something with a file or folder.
+    pub(super) fn at(doing: &str, path: &Path, error: &io::Error) -> Self {
+        Self::new(format!("cannot {doing} `{}`: {}", path.display(), reason(error)))
+    }
+
+    /// The standard output cannot be written to. If its reader has gone, that is how pipes end and no news.
+    pub(super) fn output(error: &io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::new(""),
+            _ => Self::new(format!("cannot write to the standard output: {}", reason(error))),
+        }
+    }
+
+    #[must_use]
+    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+/// What the system says, as part of a sentence.
+fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    let text = text.split(" (os error").next().unwrap_or(&text);
+    let mut characters = text.chars();
+    characters.next().map_or_else(String::new, |first| first.to_lowercase().chain(characters).collect())
+}

@@ -1,0 +1,99 @@
+//! What a run says: results on the standard output, messages on the standard error.
+
+use std::io::{self, IsTerminal, Write};
+
+use clap::ColorChoice;
+use devc::Compilation;
+use devc::diagnostic::render::{Style, text};
+use devc::diagnostic::{Diagnostics, Level};
+
+use super::outcome::{Failure, Outcome};
+
+/// Where results and messages go.
+pub(super) struct Report {
+    style: Style,
+}
+
+impl Report {
+    /// Colours as asked for; `auto` means on a terminal that has them and whose user does not mind
+    /// (<https://no-color.org>).
+    pub(super) fn new(choice: ColorChoice) -> Self {
+        let wanted = match choice {
+            ColorChoice::Always => true,
+            ColorChoice::Never => false,
+            ColorChoice::Auto => {
+                let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+                let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
+                io::stderr().is_terminal() && !refused && !dumb
+            }
+        };
+        Self { style: if wanted { Style::Colour } else { Style::Plain } }
+    }
+
+    /// Prints a result.
+    pub(super) fn line(&self, text: &str) -> Result<(), Failure> {
+        let mut out = io::stdout().lock();
+        writeln!(out, "{text}").and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
+    }
+
+    /// Prints a message. If even the standard error is closed, the exit code has to do.
+    pub(super) fn message(&self, text: &str) {
+        let _ = writeln!(io::stderr().lock(), "{text}");
+    }
+
+    /// Prints all messages about a description.
+    pub(super) fn diagnostics(&self, compilation: &Compilation) {
+        for diagnostic in compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow)
+        {
+            self.message(&format!("{}\n", text(diagnostic, &compilation.sources, self.style)));
+        }
+    }
+
+    /// Prints an error that is about no place in a description.
+    pub(super) fn error(&self, what: &str, help: Option<&str>) {
+        let (red, blue, bold, reset) = match self.style {
+            Style::Colour => ("\u{1b}[1m\u{1b}[91m", "\u{1b}[1m\u{1b}[94m", "\u{1b}[1m", "\u{1b}[0m"),
+            Style::Plain => ("", "", "", ""),
+        };
+        let mut text = format!("{red}error{reset}{bold}: {what}{reset}");
+        if let Some(help) = help {
+            text += &format!("\n  {blue}= {reset}{bold}help{reset}: {help}");
+        }
+        self.message(&text);
+    }
+
+    /// Prints why devc could not do its work.
+    pub(super) fn failure(&self, failure: &Failure) -> Outcome {
+        if !failure.what.is_empty() {
+            self.error(&failure.what, failure.help.as_deref());
+        }
+        Outcome::Failed
+    }
+}
+
+/// What the messages about a description make of the run.
+pub(super) fn verdict(compilation: &Compilation, deny_warnings: bool) -> Outcome {
+    let diagnostics = &compilation.diagnostics;
+    if compilation.files.is_empty() {
+        return Outcome::Failed;
+    }
+    if diagnostics.has_errors() || deny_warnings && diagnostics.count(Level::Warning) > 0 {
+        return Outcome::Findings;
+    }
+    Outcome::Clean
+}
+
+/// How many messages there are, as in `2 errors, 1 warning`; `None` if there are none.
+pub(super) fn counts(diagnostics: &Diagnostics) -> Option<String> {
+    let counts = [(Level::Error, "error"), (Level::Warning, "warning")].map(|(level, noun)| {
+        let count = diagnostics.count(level);
+        (count > 0).then(|| number(count, noun))
+    });
+    let counts: Vec<String> = counts.into_iter().flatten().collect();
+    (!counts.is_empty()).then(|| counts.join(", "))
+}
+
+/// A number with its noun.
+pub(super) fn number(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
