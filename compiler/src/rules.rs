@@ -3,11 +3,13 @@
 use std::fmt::Write as _;
 
 use crate::diagnostic::{Group, Level, Rule, faults};
+use crate::lint;
 use crate::source::near::near;
 
 /// Every rule that a message can be about, by name.
 pub fn all() -> Vec<&'static Rule> {
-    let mut rules = faults::ALL.to_vec();
+    let lints = lint::ALL.iter().map(|lint| lint.rule);
+    let mut rules: Vec<_> = faults::ALL.iter().copied().chain(lints).collect();
     rules.sort_unstable_by_key(|rule| rule.name);
     rules
 }
@@ -43,12 +45,12 @@ pub fn docs(rule: &Rule) -> String {
 pub fn reference() -> String {
     let rules = all();
     let mut out = String::from(PREFACE);
-    for group in GROUPS {
-        let members: Vec<_> = rules.iter().filter(|rule| rule.group == *group).collect();
+    for group in Group::ALL {
+        let members: Vec<_> = rules.iter().filter(|rule| rule.group == group).collect();
         if members.is_empty() {
             continue;
         }
-        let _ = write!(out, "\n## {}\n\n| rule | level | |\n|---|---|---|\n", title(*group));
+        let _ = write!(out, "\n## {}\n\n| rule | level | |\n|---|---|---|\n", title(group));
         for rule in &members {
             let _ =
                 writeln!(out, "| [`{0}`](#{0}) | {1} | {2} |", rule.name, default_level(rule), rule.summary);
@@ -71,16 +73,6 @@ from `devc explain unknown-key`. Each rule has an example that breaks it and one
 compile both. A line `# file: name` in an example begins another file, and what all descriptions have in common
 (`[device]`, `[identity]`) is left out.
 ";
-
-const GROUPS: &[Group] = &[
-    Group::Format,
-    Group::Dictionary,
-    Group::ProcessData,
-    Group::StateMachine,
-    Group::Values,
-    Group::Output,
-    Group::Facts,
-];
 
 /// What the rules of a group are about.
 fn title(group: Group) -> &'static str {
