@@ -81,13 +81,13 @@ fn stages(
     }
     enter(Stage::Decode);
     let id = id(loader, path);
-    let members = raw::read(&document, &id, diagnostics);
+    let (shared, members) = raw::read(&document, &id, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
     let levels = members.first().map(|device| Levels::described(&device.lints)).unwrap_or_default();
     enter(Stage::Resolve);
-    let family = resolve::resolve(&id, members, sources, diagnostics)?;
+    let family = resolve::resolve(&id, shared, members, sources, diagnostics)?;
     enter(Stage::Check);
     lint::check(family, &levels, diagnostics)
 }

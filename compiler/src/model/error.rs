@@ -1,6 +1,6 @@
 //! What can go wrong in the drive.
 
-use super::{Source, model};
+use super::{Meaning, Source, model};
 use crate::source::Origin;
 
 model! {
@@ -37,6 +37,8 @@ model! {
         pub name: String,
         /// What it means.
         pub about: Option<String>,
+        /// What can have caused it, by the number that the device gives the cause.
+        pub causes: Vec<Meaning>,
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.

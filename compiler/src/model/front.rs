@@ -1,6 +1,6 @@
-//! What a person sees and sets outside the dictionary.
+//! What a person sees and does.
 
-use super::{Address, Meaning, Source, Value, model};
+use super::{Address, Source, Value, model};
 
 model! {
     /// A light.
@@ -41,22 +41,6 @@ model! {
         pub source: Option<Source>,
     }
 
-    /// A setting of the device outside its object dictionary.
-    pub struct Parameter {
-        /// The word or number for it.
-        pub id: String,
-        /// Its name.
-        pub name: String,
-        /// What it does, and how it is reached.
-        pub about: Option<String>,
-        /// Its value on delivery.
-        pub default: Option<Value>,
-        /// What its values mean.
-        pub values: Vec<Meaning>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-    }
-
     /// Something to be set in the master.
     pub struct MasterSetting {
         /// What.
@@ -93,5 +77,19 @@ model! {
         pub address: Option<Address>,
         /// The value to write.
         pub write: Option<Value>,
+    }
+
+    /// A figure that the device keeps to or asks for.
+    pub struct Limit {
+        /// The word for it.
+        pub id: String,
+        /// What is limited.
+        pub name: String,
+        /// The figure with its unit.
+        pub value: String,
+        /// What happens beyond it.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
     }
 }

@@ -5,15 +5,19 @@
 //! output is this model, word for word.
 
 mod axis;
+mod configuration;
 mod data_type;
 mod error;
 mod fact;
 mod front;
+mod homing;
 mod index;
 mod mode;
 mod object;
+mod parameter;
 mod pattern;
 mod pdo;
+mod register;
 mod state;
 mod timing;
 mod transport;
@@ -22,15 +26,19 @@ mod value;
 mod word;
 
 pub use axis::{Area, Axis, Shift};
+pub use configuration::{Configuration, SdoWrite};
 pub use data_type::DataType;
 pub use error::{ErrorCode, VendorCode};
 pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source};
-pub use front::{Connector, Led, LedPattern, MasterSetting, Parameter, Procedure, Step};
+pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
+pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
 pub use mode::{Mode, ModeBits, ModeChange, MotionCommand, StopOption};
 pub use object::{Access, Category, Entry, Kind, Mappable, Object, Provenance, Trigger};
+pub use parameter::{Coordinates, Group, Parameter, ValueRange};
 pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Pdo};
+pub use register::{AlStatusCode, Register, RegisterAccess, Telegram};
 pub use state::{Answer, Command, CommunicationState, CommunicationTransition, Scope, State, Transition};
 pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
 pub use transport::{Eeprom, Mailbox, Role, SyncManager};
@@ -58,6 +66,10 @@ model! {
     pub struct Family {
         /// The name of the description's folder, and of its outputs.
         pub id: String,
+        /// The name of the family; the device's if it is alone.
+        pub name: String,
+        /// What its members share, and what tells them apart.
+        pub about: Option<String>,
         /// The devices, in the order in which they were written; never none.
         pub members: Vec<Device>,
     }
@@ -144,6 +156,20 @@ model! {
         pub connectors: Vec<Connector>,
         /// Settings outside the dictionary.
         pub parameters: Vec<Parameter>,
+        /// How the vendor's parameters lie in the dictionary.
+        pub coordinates: Option<Coordinates>,
+        /// Ways to find the reference position, by number.
+        pub homing_methods: Vec<HomingMethod>,
+        /// Registers of the EtherCAT slave controller, by address.
+        pub registers: Vec<Register>,
+        /// Why the device refuses or leaves an EtherCAT state, by code.
+        pub al_status_codes: Vec<AlStatusCode>,
+        /// The bytes of messages.
+        pub telegrams: Vec<Telegram>,
+        /// Choices of process data and mode.
+        pub configurations: Vec<Configuration>,
+        /// Figures that the device keeps to or asks for.
+        pub limits: Vec<Limit>,
         /// What is to be set in the master.
         pub master_settings: Vec<MasterSetting>,
         /// Things to do in order.

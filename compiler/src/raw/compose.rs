@@ -41,13 +41,6 @@ fn section_over(entities: &Table, base: &Member) -> Table {
     Table { at: entities.at, members }
 }
 
-/// The member of the family laid over what all members share.
-pub(super) fn over_family(root: &Table, member: &Table) -> Table {
-    let mut shared = root.clone();
-    shared.members.retain(|section| &*section.key.name != "members");
-    member.over(&shared)
-}
-
 /// The tree without what stands at `path`, and whether there was anything.
 pub(super) fn without(table: &Table, path: &str) -> (Table, bool) {
     let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));

@@ -29,6 +29,16 @@ pub struct RawHead {
     pub physics: Option<String>,
 }
 
+/// `[family]`: what the members of a family have in common.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct RawFamily {
+    /// The name of the family.
+    pub name: String,
+    /// What its members share, and what tells them apart.
+    pub about: Option<String>,
+}
+
 /// `[identity]`: what the identity object 0x1018 and the EEPROM say.
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]

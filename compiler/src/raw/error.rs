@@ -1,6 +1,10 @@
 //! What can go wrong in the drive: `[errors]`, `[vendor-codes]`.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
+
+use super::RawField;
 
 /// `[errors.<code>]` or `[errors."<code>..=<code>"]`: an error code of object 0x603F.
 #[derive(Debug, Default, Deserialize)]
@@ -27,4 +31,7 @@ pub struct RawVendorCode {
     pub name: String,
     /// What it means.
     pub about: Option<String>,
+    /// What can have caused it, by the number that the device gives the cause.
+    #[serde(default)]
+    pub causes: BTreeMap<String, RawField>,
 }

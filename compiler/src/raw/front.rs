@@ -1,11 +1,8 @@
-//! What a person sees and sets outside the dictionary: `[leds]`, `[connectors]`, `[parameters]`,
-//! `[[master-settings]]`, `[procedures]`.
-
-use std::collections::BTreeMap;
+//! What a person sees and does: `[leds]`, `[connectors]`, `[[master-settings]]`, `[procedures]`, `[limits]`.
 
 use serde::Deserialize;
 
-use super::{Literal, RawField};
+use super::Literal;
 
 /// `[leds.<id>]`: a light.
 #[derive(Debug, Default, Deserialize)]
@@ -42,21 +39,6 @@ pub struct RawConnector {
     pub kind: Option<String>,
     /// What goes in.
     pub about: Option<String>,
-}
-
-/// `[parameters.<id>]`: a setting of the device outside its object dictionary.
-#[derive(Debug, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub struct RawParameter {
-    /// Its name.
-    pub name: String,
-    /// What it does, and how it is reached.
-    pub about: Option<String>,
-    /// Its value on delivery.
-    pub default: Option<Literal>,
-    /// What its values mean.
-    #[serde(default)]
-    pub values: BTreeMap<String, RawField>,
 }
 
 /// `[[master-settings]]`: something to be set in the master.
@@ -96,4 +78,16 @@ pub struct RawStep {
     pub object: Option<String>,
     /// The value to write.
     pub write: Option<Literal>,
+}
+
+/// `[limits.<id>]`: a figure that the device keeps to or asks for.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct RawLimit {
+    /// What is limited.
+    pub name: String,
+    /// The figure with its unit.
+    pub value: String,
+    /// What happens beyond it.
+    pub about: Option<String>,
 }

@@ -3,32 +3,40 @@
 //! The doc comments here are the reference of the format; `compiler/docs/format.md` is made from them.
 
 mod compose;
+mod configuration;
 pub(crate) mod decode;
 mod device;
 mod entity;
 mod error;
 mod fact;
 mod front;
+mod homing;
 mod literal;
 mod mode;
 mod object;
+mod parameter;
 mod pdo;
 mod read;
+mod register;
 mod state;
 mod timing;
 mod unit;
 mod word;
 
-pub use device::{RawAxes, RawDocument, RawEeprom, RawHead, RawIdentity, RawShift};
+pub use configuration::RawConfiguration;
+pub use device::{RawAxes, RawDocument, RawEeprom, RawFamily, RawHead, RawIdentity, RawShift};
 pub use entity::{Entity, ObjectEntity};
 pub use error::{RawError, RawVendorCode};
 pub use fact::{RawAssumed, RawErratum, RawFacts, RawRemark, RawRemarkKind};
-pub use front::{RawConnector, RawLed, RawLedPattern, RawMasterSetting, RawParameter, RawProcedure, RawStep};
+pub use front::{RawConnector, RawLed, RawLedPattern, RawLimit, RawMasterSetting, RawProcedure, RawStep};
+pub use homing::{RawAlternative, RawDirection, RawHomingMethod};
 pub use literal::{Duration, Fraction, Hex, Literal};
 pub use mode::{RawMode, RawModeChange, RawMotionCommand, RawStopOption};
 pub use object::{Ignored, RawAccess, RawCategory, RawEntry, RawKind, RawMappable, RawObject, RawTrigger};
+pub use parameter::{RawCoordinates, RawGroup, RawParameter};
 pub use pdo::{RawMailbox, RawMapped, RawPdo, RawSyncManager};
 pub use read::read;
+pub use register::{RawAlStatusCode, RawRegister, RawRegisterAccess, RawTelegram};
 pub use state::{
     RawAnswer, RawCommand, RawCommunicationState, RawCommunicationTransition, RawScope, RawState,
     RawTransition,
@@ -57,6 +65,8 @@ pub struct RawDevice {
     pub axes: Option<Entity<RawAxes>>,
     /// `[mailbox]`.
     pub mailbox: Option<Entity<RawMailbox>>,
+    /// `[coordinates]`.
+    pub coordinates: Option<Entity<RawCoordinates>>,
     /// `[dead-time]`.
     pub dead_time: Option<Entity<RawDeadTime>>,
     /// `[documents]`.
@@ -105,6 +115,18 @@ pub struct RawDevice {
     pub connectors: Vec<Entity<RawConnector>>,
     /// `[parameters]`.
     pub parameters: Vec<Entity<RawParameter>>,
+    /// `[homing-methods]`.
+    pub homing_methods: Vec<Entity<RawHomingMethod>>,
+    /// `[registers]`.
+    pub registers: Vec<Entity<RawRegister>>,
+    /// `[al-status-codes]`.
+    pub al_status_codes: Vec<Entity<RawAlStatusCode>>,
+    /// `[telegrams]`.
+    pub telegrams: Vec<Entity<RawTelegram>>,
+    /// `[configurations]`.
+    pub configurations: Vec<Entity<RawConfiguration>>,
+    /// `[limits]`.
+    pub limits: Vec<Entity<RawLimit>>,
     /// `[[master-settings]]`.
     pub master_settings: Vec<Entity<RawMasterSetting>>,
     /// `[procedures]`.

@@ -5,52 +5,68 @@ use std::sync::Arc;
 use serde::de::DeserializeOwned;
 
 use super::decode::Reader;
-use super::{Entity, LintSetting, ObjectEntity, RawDevice, RawEntry, RawFacts, compose};
+use super::{Entity, LintSetting, ObjectEntity, RawDevice, RawEntry, RawFacts, RawFamily, compose};
 use crate::diagnostic::{Diagnostic, Diagnostics, Level, faults};
 use crate::source::{Document, Location, Member, Node, Origin, Table, Value};
 
-/// Decodes a description: one [`RawDevice`] for each member of a family, or just one.
+/// Decodes a description: what its members share, and one [`RawDevice`] for each of them, or just one.
 ///
-/// Every bad table is reported, not only the first; nothing comes back if a table that all else needs is
+/// Every bad table is reported, not only the first; a member is left out if a table that all else needs is
 /// missing.
-pub fn read(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<RawDevice> {
-    let members = document.root.get("members").and_then(|member| member.node.table());
-    let trees: Vec<(String, Table)> = match members {
-        None => vec![(id.to_owned(), document.root.clone())],
-        Some(members) => members
-            .members
-            .iter()
-            .filter_map(|member| {
-                let overlay = member.node.table()?;
-                Some((member.key.name.to_string(), compose::over_family(&document.root, overlay)))
-            })
-            .collect(),
-    };
-    trees
+pub fn read(
+    document: &Document,
+    id: &str,
+    diagnostics: &mut Diagnostics,
+) -> (Option<RawFamily>, Vec<RawDevice>) {
+    let family = document.root.get("family").and_then(|member| {
+        entity("family", member.key.at, &member.node, diagnostics).map(|family| family.raw)
+    });
+    let devices = members(document, id, diagnostics)
         .into_iter()
-        .filter_map(|(id, tree)| {
-            let tree = strip(compose::over_profile(&tree, &document.profile), diagnostics);
-            device(id, &tree, diagnostics)
+        .filter_map(|(id, tree, removed)| {
+            let tree = compose::over_profile(&tree, &document.profile);
+            device(id, &strip(tree, &removed, diagnostics), diagnostics)
         })
-        .collect()
+        .collect();
+    (family, devices)
 }
 
-/// Takes out what `without` names.
-fn strip(mut tree: Table, diagnostics: &mut Diagnostics) -> Table {
-    let Some(list) = tree.get("without").cloned() else { return tree };
-    let Value::Array(paths) = &list.node.value else { return tree };
-    for path in paths.iter() {
-        if let Value::String(text) = &path.value {
+/// The tree of each member with the lists of what is taken out of it: the shared one and its own.
+fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<(String, Table, Vec<Node>)> {
+    let mut shared = document.root.clone();
+    shared.members.retain(|section| !matches!(&*section.key.name, "members" | "family"));
+    let removed: Vec<Node> = shared.get("without").map(|list| list.node.clone()).into_iter().collect();
+    let Some(members) = document.root.get("members") else {
+        return vec![(id.to_owned(), shared, removed)];
+    };
+    let Some(members) = table_of(&members.node, diagnostics) else { return Vec::new() };
+    let overlays = members.members.iter().filter_map(|member| {
+        let overlay = table_of(&member.node, diagnostics)?;
+        let own = overlay.get("without").map(|list| list.node.clone());
+        let removed = removed.iter().cloned().chain(own).collect();
+        Some((member.key.name.to_string(), overlay.over(&shared), removed))
+    });
+    overlays.collect()
+}
+
+/// Takes out what lists of paths name.
+fn strip(mut tree: Table, lists: &[Node], diagnostics: &mut Diagnostics) -> Table {
+    for list in lists {
+        let Value::Array(paths) = &list.value else {
+            diagnostics.push(wrong_type(list, "an array of paths"));
+            continue;
+        };
+        for path in paths.iter() {
+            let Value::String(text) = &path.value else {
+                diagnostics.push(wrong_type(path, "a path such as \"objects.0x6098\""));
+                continue;
+            };
             let (rest, found) = compose::without(&tree, text);
             tree = rest;
             if !found {
                 let message = format!("nothing stands at `{text}`");
-                diagnostics.push(Diagnostic::new(
-                    &faults::UNKNOWN_REFERENCE,
-                    message,
-                    path.at,
-                    "cannot be left out",
-                ));
+                let label = "cannot be left out";
+                diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, path.at, label));
             }
         }
     }
@@ -67,6 +83,7 @@ fn device(id: String, tree: &Table, diagnostics: &mut Diagnostics) -> Option<Raw
         eeprom: sections.single("eeprom"),
         axes: sections.single("axes"),
         mailbox: sections.single("mailbox"),
+        coordinates: sections.single("coordinates"),
         dead_time: sections.single("dead-time"),
         documents: sections.map("documents"),
         areas: sections.map("areas"),
@@ -91,6 +108,12 @@ fn device(id: String, tree: &Table, diagnostics: &mut Diagnostics) -> Option<Raw
         leds: sections.map("leds"),
         connectors: sections.map("connectors"),
         parameters: sections.map("parameters"),
+        homing_methods: sections.map("homing-methods"),
+        registers: sections.map("registers"),
+        al_status_codes: sections.map("al-status-codes"),
+        telegrams: sections.map("telegrams"),
+        configurations: sections.map("configurations"),
+        limits: sections.map("limits"),
         master_settings: sections.list("master-settings"),
         procedures: sections.map("procedures"),
         remarks: sections.list("remarks"),
@@ -191,7 +214,7 @@ impl Sections<'_> {
 
     /// Reports sections that the format does not know.
     fn finish(mut self) {
-        self.known.extend(["include", "profiles", "source"]);
+        self.known.extend(["include", "profiles", "source", "without", "family", "members"]);
         for member in &self.tree.members {
             if !self.known.contains(&&*member.key.name) {
                 self.diagnostics.push(super::decode::unknown_key(&member.key, &self.known));

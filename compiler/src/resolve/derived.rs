@@ -2,7 +2,7 @@
 
 use super::entries::plain;
 use super::objects::Described;
-use super::overlay;
+use super::{overlay, startup};
 use crate::model::{
     Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Object, Pdo, Provenance,
     Role, SyncManager, Value,
@@ -89,12 +89,7 @@ fn entries(
 fn mapping(pdo: &Pdo, basis: &Basis<'_>) -> Object {
     let free = !pdo.fixed && basis.mailbox.is_some_and(|mailbox| mailbox.pdo_config);
     let access = if free { Access::Rw } else { Access::Ro };
-    let values = pdo.entries.iter().map(|entry| {
-        let place = entry
-            .address
-            .map_or(0, |address| u32::from(address.index.0) << 16 | u32::from(address.subindex) << 8);
-        (entry.name.clone(), place | (entry.bits & 0xFF))
-    });
+    let values = pdo.entries.iter().map(|entry| (entry.name.clone(), startup::word(entry)));
     let entries = entries(pdo.index, DataType::Uint(32), pdo.entries.len(), values, access, &pdo.origin);
     let kind = match pdo.direction {
         Direction::Rx => "rx",

@@ -3,7 +3,10 @@
 use super::context::Context;
 use super::derived::{self, Basis};
 use super::names::Names;
-use super::{axes, errors, facts, front, modes, objects, pdos, states, timing, transport, units, words};
+use super::{
+    axes, configurations, errors, facts, front, homing, modes, objects, parameters, pdos, registers, states,
+    timing, transport, units, words,
+};
 use crate::diagnostic::Diagnostics;
 use crate::model::{Device, Direction, Identity, Pdo};
 use crate::raw::{Entity, RawDevice, RawIdentity};
@@ -14,13 +17,15 @@ pub(super) fn device(raw: RawDevice, sources: &Sources, diagnostics: &mut Diagno
     let mut context = Context {
         sources,
         diagnostics,
-        names: Names::gather(&raw),
+        names: Names::default(),
         axes: axes::axes(raw.axes.as_ref()),
         shifts: Vec::new(),
         pdo_shift: raw.axes.as_ref().and_then(|axes| axes.raw.pdo_shift).unwrap_or(0x10),
         documents: facts::documents(&raw.documents),
     };
     let context = &mut context;
+    let coordinates = raw.coordinates.as_ref().map(|entity| parameters::coordinates(context, entity));
+    context.names = Names::gather(&raw, coordinates);
     context.shifts = axes::shifts(context, raw.axes.as_ref());
     let assumptions = facts::assumptions(context, &raw);
 
@@ -71,7 +76,6 @@ pub(super) fn device(raw: RawDevice, sources: &Sources, diagnostics: &mut Diagno
         pdo_shift: context.pdo_shift,
         coupling: raw.axes.and_then(|axes| axes.raw.coupling),
         areas: axes::areas(context, raw.areas),
-        objects,
         sync_managers,
         mailbox,
         words,
@@ -95,12 +99,20 @@ pub(super) fn device(raw: RawDevice, sources: &Sources, diagnostics: &mut Diagno
         dead_time: raw.dead_time.map(|entity| timing::dead_time(context, entity)),
         leds: front::leds(context, raw.leds),
         connectors: front::connectors(context, raw.connectors),
-        parameters: front::parameters(context, raw.parameters),
+        parameters: parameters::parameters(context, raw.parameters),
+        homing_methods: homing::methods(context, raw.homing_methods),
+        registers: registers::registers(context, raw.registers),
+        al_status_codes: registers::al_status_codes(context, raw.al_status_codes),
+        telegrams: registers::telegrams(context, raw.telegrams),
+        configurations: configurations::configurations(context, raw.configurations, &pdos, &objects),
+        limits: front::limits(context, raw.limits),
+        coordinates: context.names.coordinates(),
         master_settings: front::master_settings(context, raw.master_settings),
         procedures: front::procedures(context, raw.procedures),
         assumptions,
         remarks: facts::remarks(context, raw.remarks),
         errata: facts::errata(context, raw.errata),
+        objects,
         documents: context.documents.clone(),
         pdos: by_direction(pdos),
         origin: raw.head.origin,

@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::objects::sibling_id;
-use super::{facts, keys};
+use super::{facts, keys, values};
 use crate::model::{ErrorCode, VendorCode};
 use crate::raw::{Entity, RawError, RawVendorCode};
 
@@ -42,6 +42,7 @@ pub(super) fn vendor_codes(context: &mut Context<'_>, raw: Vec<Entity<RawVendorC
                 code,
                 name: raw.name,
                 about: raw.about,
+                causes: values::meanings(context, &raw.causes, &origin, "causes"),
                 source: facts::source(context, &facts),
                 origin,
             }),

@@ -1,11 +1,11 @@
-//! What a person sees and sets outside the dictionary.
+//! What a person sees and does.
 
 use super::context::Context;
-use super::{facts, values};
-use crate::model::{Connector, Led, LedPattern, MasterSetting, Parameter, Procedure, Step, Value};
+use super::facts;
+use super::parameters::untyped;
+use crate::model::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 use crate::raw::{
-    Entity, Literal, RawConnector, RawLed, RawLedPattern, RawMasterSetting, RawParameter, RawProcedure,
-    RawStep,
+    Entity, RawConnector, RawLed, RawLedPattern, RawLimit, RawMasterSetting, RawProcedure, RawStep,
 };
 use crate::source::Origin;
 
@@ -38,32 +38,6 @@ pub(super) fn connectors(context: &Context<'_>, raw: Vec<Entity<RawConnector>>) 
             source: facts::source(context, &facts),
         })
         .collect()
-}
-
-/// Settings outside the dictionary.
-pub(super) fn parameters(context: &mut Context<'_>, raw: Vec<Entity<RawParameter>>) -> Vec<Parameter> {
-    raw.into_iter()
-        .map(|Entity { key, raw, facts, origin }| Parameter {
-            id: key,
-            name: raw.name,
-            about: raw.about,
-            default: raw.default.as_ref().map(untyped),
-            values: values::meanings(context, &raw.values, &origin, "values"),
-            source: facts::source(context, &facts),
-        })
-        .collect()
-}
-
-/// A literal as it stands, where there is no type to fit it to.
-fn untyped(literal: &Literal) -> Value {
-    match literal {
-        Literal::Boolean(value) => Value::Boolean(*value),
-        Literal::Float(value) => Value::Real(*value),
-        Literal::Text(text) => Value::Text(text.clone()),
-        Literal::Integer(value) => {
-            i64::try_from(*value).map_or_else(|_| Value::Text(value.to_string()), Value::Integer)
-        }
-    }
 }
 
 /// What is to be set in the master.
@@ -105,6 +79,19 @@ fn steps(context: &mut Context<'_>, raw: &[RawStep], origin: &Origin) -> Vec<Ste
                 .as_deref()
                 .and_then(|object| context.address(object, origin.value(&format!("steps.{i}.object")))),
             write: step.write.as_ref().map(untyped),
+        })
+        .collect()
+}
+
+/// Figures that the device keeps to or asks for, in the order in which they were written.
+pub(super) fn limits(context: &Context<'_>, raw: Vec<Entity<RawLimit>>) -> Vec<Limit> {
+    raw.into_iter()
+        .map(|Entity { key, raw, facts, .. }| Limit {
+            id: key,
+            name: raw.name,
+            value: raw.value,
+            about: raw.about,
+            source: facts::source(context, &facts),
         })
         .collect()
 }

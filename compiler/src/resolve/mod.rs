@@ -4,6 +4,7 @@
 //! cannot hold is reported here.
 
 mod axes;
+mod configurations;
 mod context;
 mod derived;
 mod device;
@@ -11,13 +12,17 @@ mod entries;
 mod errors;
 mod facts;
 mod front;
+mod homing;
 mod ids;
 mod keys;
 mod modes;
 mod names;
 mod objects;
 mod overlay;
+mod parameters;
 mod pdos;
+mod registers;
+mod startup;
 mod states;
 mod timing;
 mod transport;
@@ -27,12 +32,13 @@ mod words;
 
 use crate::diagnostic::Diagnostics;
 use crate::model::Family;
-use crate::raw::RawDevice;
+use crate::raw::{RawDevice, RawFamily};
 use crate::source::Sources;
 
 /// Resolves all members of a family; none of it if one of them cannot be.
 pub(crate) fn resolve(
     id: &str,
+    family: Option<RawFamily>,
     members: Vec<RawDevice>,
     sources: &Sources,
     diagnostics: &mut Diagnostics,
@@ -41,5 +47,7 @@ pub(crate) fn resolve(
     if diagnostics.has_errors() || members.is_empty() {
         return None;
     }
-    Some(Family { id: id.to_owned(), members })
+    let alone = members.first().map_or_else(String::new, |device| device.name.clone());
+    let (name, about) = family.map_or((alone, None), |family| (family.name, family.about));
+    Some(Family { id: id.to_owned(), name, about, members })
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{ids, keys};
-use crate::model::{Address, Index};
+use crate::model::{Address, Coordinates, Index};
 use crate::raw::{ObjectEntity, RawDevice};
 use crate::source::near::near;
 
@@ -11,16 +11,19 @@ use crate::source::near::near;
 #[derive(Default)]
 pub(super) struct Names {
     by_id: BTreeMap<String, Index>,
+    by_parameter: BTreeMap<String, Address>,
     known: Vec<Index>,
+    coordinates: Option<Coordinates>,
 }
 
 impl Names {
     /// Gathers the ids of all described objects and the indices of what follows from the PDOs.
-    pub(super) fn gather(raw: &RawDevice) -> Self {
-        let mut names = Self::default();
+    pub(super) fn gather(raw: &RawDevice, coordinates: Option<Coordinates>) -> Self {
+        let mut names = Self { coordinates, ..Self::default() };
         for object in &raw.objects {
-            if let Some(index) = index(&object.object.key) {
+            if let Some(index) = names.key(&object.object.key) {
                 names.by_id.entry(object_id(object)).or_insert(index);
+                names.by_parameter.extend(parameters(object, index));
                 names.known.push(index);
             }
         }
@@ -32,9 +35,32 @@ impl Names {
         names
     }
 
+    /// The index that the key of an object stands for: hexadecimal, or a coordinate of the vendor.
+    pub(super) fn key(&self, key: &str) -> Option<Index> {
+        index(key).or_else(|| self.coordinate(key).map(|address| address.index))
+    }
+
+    /// The address that a coordinate of the vendor stands for by the formula.
+    pub(super) fn coordinate(&self, text: &str) -> Option<Address> {
+        self.coordinates.as_ref()?.address(text)
+    }
+
+    /// The vendor's numbering.
+    pub(super) fn coordinates(&self) -> Option<Coordinates> {
+        self.coordinates.clone()
+    }
+
+    /// The address of a coordinate at which an object is described.
+    fn lying(&self, text: &str) -> Option<Address> {
+        self.coordinate(text).filter(|address| self.known.binary_search(&address.index).is_ok())
+    }
+
     /// What `"controlword"`, `"0x6040"`, `"0x5010:03"` or `"software-position-limit:1"` refers to; the near
     /// word if there is none.
     pub(super) fn find(&self, text: &str) -> Result<Address, Option<String>> {
+        if let Some(address) = self.by_parameter.get(text).copied().or_else(|| self.lying(text)) {
+            return Ok(address);
+        }
         let (object, subindex) = text.split_once(':').map_or((text, "0"), |(object, sub)| (object, sub));
         let index = match index(object) {
             Some(index) => Some(index).filter(|index| self.known.binary_search(index).is_ok()),
@@ -46,6 +72,16 @@ impl Names {
             .map(|(index, subindex)| Address { index, subindex })
             .ok_or_else(|| near(object, self.by_id.keys().map(String::as_str)).map(str::to_owned))
     }
+}
+
+/// The parameters behind an object and its entries.
+fn parameters(object: &ObjectEntity, index: Index) -> Vec<(String, Address)> {
+    let entries = object.entries.iter().filter_map(|entry| {
+        let subindex = subindex_of(&entry.key)?;
+        Some((entry.raw.parameter.clone()?, Address { index, subindex }))
+    });
+    let own = object.value.parameter.clone().map(|parameter| (parameter, Address { index, subindex: 0 }));
+    entries.chain(own).collect()
 }
 
 /// The subindex of a reference: two hexadecimal digits as manuals print them, or a number.

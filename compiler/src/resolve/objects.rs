@@ -17,7 +17,7 @@ pub(super) fn objects(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Desc
     let mut described = Described { objects: Vec::new(), overlays: Vec::new() };
     for entity in raw {
         let at = entity.object.origin.header();
-        let Some(index) = names::index(&entity.object.key) else {
+        let Some(index) = context.names.key(&entity.object.key) else {
             context.invalid(&entity.object.key, "an index such as 0x6040", at);
             continue;
         };

@@ -85,7 +85,7 @@ fn pdo(
         direction,
         name: raw.name.clone(),
         axis,
-        entries: mapped(context, raw, origin, axis, objects),
+        entries: mapped(context, &raw.entries, origin, "entries", axis, objects),
         fixed: raw.fixed.unwrap_or(true),
         mandatory: raw.mandatory,
         excludes: excludes(context, raw, origin, distance),
@@ -111,18 +111,20 @@ fn excludes(context: &mut Context<'_>, raw: &RawPdo, origin: &Origin, distance: 
     excludes
 }
 
-fn mapped(
+/// What is mapped, each entry behind the one before.
+pub(super) fn mapped(
     context: &mut Context<'_>,
-    raw: &RawPdo,
+    raw: &[RawMapped],
     origin: &Origin,
+    path: &str,
     axis: Option<u8>,
     objects: &[Object],
 ) -> Vec<Mapped> {
     let mut offset = 0;
     let mut ids = Vec::new();
     let mut entries = Vec::new();
-    for (i, entry) in raw.entries.iter().enumerate() {
-        let at = origin.value(&format!("entries.{i}"));
+    for (i, entry) in raw.iter().enumerate() {
+        let at = origin.value(&format!("{path}.{i}"));
         if let Some(found) = one(context, entry, at, axis, objects) {
             let mapped = Mapped { offset, id: sibling_id(&found.id, &mut ids), ..found };
             offset += mapped.bits;

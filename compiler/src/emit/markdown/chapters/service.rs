@@ -2,12 +2,11 @@
 
 use serde::Serialize;
 
-use super::words::value;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, sentence, small, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Parameter, Procedure, Step};
+use crate::model::{Parameter, Procedure, Step, ValueRange};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -80,8 +79,19 @@ fn parameters(context: &Context<'_>) -> Table {
 
 fn effect(context: &Context<'_>, parameter: &Parameter) -> String {
     let about = parameter.about.iter().map(|about| context.prose(about));
-    let values = parameter.values.iter().map(|meaning| value(context, meaning));
+    let values = parameter.values.iter().map(|range| values(context, range));
     about.chain(values).collect::<Vec<_>>().join("<br>")
+}
+
+/// A value, or a range of values, with what it means.
+fn values(context: &Context<'_>, range: &ValueRange) -> String {
+    let about = range.about.as_ref().map_or(String::new(), |about| format!(": {}", context.prose(about)));
+    let numbers = if range.first == range.last {
+        code(range.first)
+    } else {
+        format!("{} to {}", code(range.first), code(range.last))
+    };
+    format!("{numbers} {}{about}", text(&range.name))
 }
 
 fn procedure_view(context: &Context<'_>, procedure: &Procedure) -> ProcedureView {

@@ -1,0 +1,46 @@
+//! Choices of process data and mode, with the start-up list that follows from them.
+
+use super::{Address, Index, Pdo, Source, model};
+use crate::source::Origin;
+
+model! {
+    /// What a master chooses before it goes to Safe-Operational.
+    pub struct Configuration {
+        /// The word for it.
+        pub id: String,
+        /// What it is good for.
+        pub name: String,
+        /// The PDOs to assign to the outputs, by index; untouched if none.
+        pub outputs: Option<Vec<Index>>,
+        /// The PDOs to assign to the inputs, by index; untouched if none.
+        pub inputs: Option<Vec<Index>>,
+        /// The PDOs that are mapped anew, as they are mapped here.
+        pub mapping: Vec<Pdo>,
+        /// The mode of operation.
+        pub mode: Option<i16>,
+        /// The cycle time in nanoseconds.
+        pub cycle_ns: Option<u64>,
+        /// The writes that bring it about, in order.
+        pub startup: Vec<SdoWrite>,
+        /// What else is to be said.
+        pub about: Option<String>,
+        /// Where its facts are from.
+        pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
+    }
+
+    /// A write through the mailbox.
+    #[derive(Eq)]
+    pub struct SdoWrite {
+        /// The change of the EtherCAT state during which it is made.
+        pub transition: String,
+        /// Where to.
+        pub address: Address,
+        /// What, as it travels: little-endian.
+        pub data: Vec<u8>,
+        /// What for.
+        pub comment: String,
+    }
+}

@@ -1,0 +1,28 @@
+//! Choices of process data and mode, from which the start-up list follows: `[configurations.<id>]`.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use super::{Duration, RawMapped};
+
+/// `[configurations.<id>]`: what a master chooses before it goes to Safe-Operational.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct RawConfiguration {
+    /// What it is good for.
+    pub name: String,
+    /// The PDOs to assign to the outputs; untouched if absent.
+    pub outputs: Option<Vec<String>>,
+    /// The PDOs to assign to the inputs; untouched if absent.
+    pub inputs: Option<Vec<String>>,
+    /// What to map, by PDO; for PDOs whose mapping is free.
+    #[serde(default)]
+    pub mapping: BTreeMap<String, Vec<RawMapped>>,
+    /// The mode of operation to write to 0x6060.
+    pub mode: Option<i16>,
+    /// The cycle time to write to 0x60C2.
+    pub cycle_time: Option<Duration>,
+    /// What else is to be said.
+    pub about: Option<String>,
+}

@@ -1,0 +1,61 @@
+//! Settings outside the dictionary, and dictionaries whose indices follow from a vendor's own numbering:
+//! `[parameters]`, `[coordinates]`.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use super::{Literal, RawField};
+
+/// `[parameters.<id>]`: a setting of the device by the vendor's own name for it.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct RawParameter {
+    /// Its name.
+    pub name: String,
+    /// What it does, and how it is reached.
+    pub about: Option<String>,
+    /// Its value on delivery.
+    pub default: Option<Literal>,
+    /// The least value.
+    pub min: Option<Literal>,
+    /// The greatest value.
+    pub max: Option<Literal>,
+    /// The unit of its value, as people write it.
+    pub symbol: Option<String>,
+    /// What its values mean, by value or by range of values.
+    #[serde(default)]
+    pub values: BTreeMap<String, RawField>,
+}
+
+/// `[coordinates]`: how the vendor's parameters lie in the dictionary. `E200[0]` is line 200 of group E,
+/// element 0; its index is `base + group number × group-size + line`.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct RawCoordinates {
+    /// The index of the first line of group number 0.
+    pub base: u16,
+    /// How many lines a group has room for.
+    pub group_size: u16,
+    /// What is added to the element to get the subindex when the dictionary is read out by SDO information;
+    /// in all other accesses the subindex is the element.
+    #[serde(default)]
+    pub info_shift: u8,
+    /// The groups by letter.
+    #[serde(default)]
+    pub groups: BTreeMap<String, RawGroup>,
+    /// How to use it.
+    pub about: Option<String>,
+}
+
+/// A group of parameters.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct RawGroup {
+    /// What its parameters are about.
+    pub name: String,
+    /// Its number in the formula; none if its parameters have no index.
+    pub number: Option<u16>,
+    /// The indices that the manual gives for it, as `"0x2000..=0x21FF"`.
+    pub range: Option<String>,
+}
