@@ -1,0 +1,249 @@
+//! A device, without its dictionary.
+
+use super::dictionary::{self, Dictionary};
+use super::node::{
+    Node, attribute, bytes, children, content, flag, number, only, optional, optional_number, optional_text, text,
+};
+
+/// A device.
+#[derive(Debug)]
+pub struct Device {
+    /// One letter for each port.
+    pub physics: String,
+    /// Its type.
+    pub type_name: String,
+    /// Its product code.
+    pub product_code: u32,
+    /// Its revision.
+    pub revision: u32,
+    /// Its name.
+    pub name: String,
+    /// The type of its group.
+    pub group: String,
+    /// Number and additional information of its profile.
+    pub profile: (Option<u32>, Option<u32>),
+    /// Number and name of each channel of the profile.
+    pub channels: Vec<(u32, String)>,
+    /// Its object dictionary.
+    pub dictionary: Dictionary,
+    /// Its mapping units.
+    pub fmmus: Vec<Fmmu>,
+    /// Its sync managers.
+    pub sync_managers: Vec<SyncManager>,
+    /// What the master sends.
+    pub rx_pdos: Vec<Pdo>,
+    /// What the device sends.
+    pub tx_pdos: Vec<Pdo>,
+    /// The protocols of its mailbox, in order.
+    pub protocols: Vec<String>,
+    /// What it can do with CoE.
+    pub coe: Option<CoE>,
+    /// Its ways to keep time.
+    pub op_modes: Vec<OpMode>,
+    /// Its EEPROM.
+    pub eeprom: Option<Eeprom>,
+}
+
+/// What a mapping unit is for.
+pub type Fmmu = String;
+
+/// A sync manager.
+#[derive(Debug)]
+pub struct SyncManager {
+    /// What it is for.
+    pub kind: String,
+    /// The first byte.
+    pub address: u16,
+    /// The length by default.
+    pub size: u16,
+    /// The greatest length.
+    pub max_size: Option<u16>,
+    /// The control byte.
+    pub control: u8,
+    /// Whether it is on.
+    pub enabled: bool,
+}
+
+/// A PDO.
+#[derive(Debug)]
+pub struct Pdo {
+    /// Its index.
+    pub index: u16,
+    /// Its name.
+    pub name: String,
+    /// Whether its mapping cannot be changed.
+    pub fixed: bool,
+    /// Whether it cannot be taken out.
+    pub mandatory: bool,
+    /// The sync manager it is assigned to at start-up.
+    pub sync_manager: Option<usize>,
+    /// The PDOs it cannot go with.
+    pub excludes: Vec<u16>,
+    /// What is in it.
+    pub entries: Vec<PdoEntry>,
+}
+
+/// An entry of a PDO.
+#[derive(Debug)]
+pub struct PdoEntry {
+    /// The object; 0 for padding.
+    pub index: u16,
+    /// The entry of the object.
+    pub subindex: Option<u8>,
+    /// The width in bits.
+    pub bits: u32,
+    /// Its name.
+    pub name: Option<String>,
+    /// Its basic type.
+    pub data_type: Option<String>,
+}
+
+/// What a device can do with CoE.
+#[derive(Debug)]
+pub struct CoE {
+    /// Whether the dictionary can be read out.
+    pub sdo_info: bool,
+    /// Whether the assignment can be written.
+    pub pdo_assign: bool,
+    /// Whether mappings can be written.
+    pub pdo_config: bool,
+    /// Whether an object can be transferred as a whole.
+    pub complete_access: bool,
+    /// Whether long transfers are possible.
+    pub segmented: bool,
+}
+
+/// A way to keep time.
+#[derive(Debug)]
+pub struct OpMode {
+    /// Its name.
+    pub name: String,
+    /// What people call it.
+    pub description: Option<String>,
+    /// The register that starts the clocks.
+    pub assign_activate: u16,
+    /// The first signal.
+    pub sync0: Option<Signal>,
+    /// The second signal.
+    pub sync1: Option<Signal>,
+}
+
+/// A signal of the clocks.
+#[derive(Debug)]
+pub struct Signal {
+    /// Its period in cycles of the master.
+    pub factor: Option<i32>,
+    /// Its delay in nanoseconds.
+    pub shift: u64,
+}
+
+/// The EEPROM.
+#[derive(Debug)]
+pub struct Eeprom {
+    /// Its size in bytes.
+    pub size: u32,
+    /// Its first bytes.
+    pub config_data: Vec<u8>,
+}
+
+pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
+    let kind = only(node, "Type")?;
+    let profile = only(node, "Profile")?;
+    let mailbox = optional(node, "Mailbox")?;
+    let coe = mailbox.map(|mailbox| optional(mailbox, "CoE")).transpose()?.flatten();
+    let clocks = optional(node, "Dc")?;
+    Ok(Device {
+        physics: node.attribute("Physics").ok_or("a device without Physics")?.to_owned(),
+        type_name: content(kind),
+        product_code: attribute(kind, "ProductCode")?.ok_or("a type without ProductCode")?,
+        revision: attribute(kind, "RevisionNo")?.ok_or("a type without RevisionNo")?,
+        name: text(node, "Name")?,
+        group: text(node, "GroupType")?,
+        profile: (optional_number(profile, "ProfileNo")?, optional_number(profile, "AddInfo")?),
+        channels: children(profile, "ChannelInfo").map(channel).collect::<Result<_, _>>()?,
+        dictionary: dictionary::read(only(profile, "Dictionary")?)?,
+        fmmus: children(node, "Fmmu").map(content).collect(),
+        sync_managers: children(node, "Sm").map(sync_manager).collect::<Result<_, _>>()?,
+        rx_pdos: children(node, "RxPdo").map(pdo).collect::<Result<_, _>>()?,
+        tx_pdos: children(node, "TxPdo").map(pdo).collect::<Result<_, _>>()?,
+        protocols: mailbox.into_iter().flat_map(|mailbox| mailbox.children()).filter_map(protocol).collect(),
+        coe: coe.map(abilities),
+        op_modes: clocks
+            .into_iter()
+            .flat_map(|clocks| children(clocks, "OpMode"))
+            .map(op_mode)
+            .collect::<Result<_, _>>()?,
+        eeprom: optional(node, "Eeprom")?.map(eeprom).transpose()?,
+    })
+}
+
+fn channel(node: Node<'_, '_>) -> Result<(u32, String), String> {
+    Ok((number(node, "ProfileNo")?, text(node, "DisplayName")?))
+}
+
+fn sync_manager(node: Node<'_, '_>) -> Result<SyncManager, String> {
+    Ok(SyncManager {
+        kind: content(node),
+        address: attribute(node, "StartAddress")?.ok_or("an Sm without StartAddress")?,
+        size: attribute(node, "DefaultSize")?.ok_or("an Sm without DefaultSize")?,
+        max_size: attribute(node, "MaxSize")?,
+        control: attribute(node, "ControlByte")?.ok_or("an Sm without ControlByte")?,
+        enabled: flag(node, "Enable"),
+    })
+}
+
+fn pdo(node: Node<'_, '_>) -> Result<Pdo, String> {
+    Ok(Pdo {
+        index: number(node, "Index")?,
+        name: text(node, "Name")?,
+        fixed: flag(node, "Fixed"),
+        mandatory: flag(node, "Mandatory"),
+        sync_manager: attribute(node, "Sm")?,
+        excludes: children(node, "Exclude").map(super::node::value).collect::<Result<_, _>>()?,
+        entries: children(node, "Entry").map(entry).collect::<Result<_, _>>()?,
+    })
+}
+
+fn entry(node: Node<'_, '_>) -> Result<PdoEntry, String> {
+    Ok(PdoEntry {
+        index: number(node, "Index")?,
+        subindex: optional_number(node, "SubIndex")?,
+        bits: number(node, "BitLen")?,
+        name: optional_text(node, "Name")?,
+        data_type: optional_text(node, "DataType")?,
+    })
+}
+
+fn protocol(node: Node<'_, '_>) -> Option<String> {
+    node.is_element().then(|| node.tag_name().name().to_owned())
+}
+
+fn abilities(node: Node<'_, '_>) -> CoE {
+    CoE {
+        sdo_info: flag(node, "SdoInfo"),
+        pdo_assign: flag(node, "PdoAssign"),
+        pdo_config: flag(node, "PdoConfig"),
+        complete_access: flag(node, "CompleteAccess"),
+        segmented: flag(node, "SegmentedSdo"),
+    }
+}
+
+fn op_mode(node: Node<'_, '_>) -> Result<OpMode, String> {
+    Ok(OpMode {
+        name: text(node, "Name")?,
+        description: optional_text(node, "Desc")?,
+        assign_activate: number(node, "AssignActivate")?,
+        sync0: signal(node, "CycleTimeSync0", "ShiftTimeSync0")?,
+        sync1: signal(node, "CycleTimeSync1", "ShiftTimeSync1")?,
+    })
+}
+
+fn signal(node: Node<'_, '_>, cycle: &str, shift: &str) -> Result<Option<Signal>, String> {
+    let Some(cycle) = optional(node, cycle)? else { return Ok(None) };
+    let shift = optional_number(node, shift)?.unwrap_or_default();
+    Ok(Some(Signal { factor: attribute(cycle, "Factor")?, shift }))
+}
+
+fn eeprom(node: Node<'_, '_>) -> Result<Eeprom, String> {
+    Ok(Eeprom { size: number(node, "ByteSize")?, config_data: bytes(only(node, "ConfigData")?)? })
+}
