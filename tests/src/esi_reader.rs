@@ -41,7 +41,9 @@ pub fn read(xml: &str) -> Result<Esi, String> {
         vendor_id: number(vendor, "Id")?,
         vendor_name: text(vendor, "Name")?,
         groups: children(only(descriptions, "Groups")?, "Group").map(group).collect::<Result<_, _>>()?,
-        devices: children(only(descriptions, "Devices")?, "Device").map(device::read).collect::<Result<_, _>>()?,
+        devices: children(only(descriptions, "Devices")?, "Device")
+            .map(device::read)
+            .collect::<Result<_, _>>()?,
     })
 }
 

@@ -2,7 +2,8 @@
 
 use super::dictionary::{self, Dictionary};
 use super::node::{
-    Node, attribute, bytes, children, content, flag, number, only, optional, optional_number, optional_text, text,
+    Node, attribute, bytes, children, content, flag, number, only, optional, optional_number, optional_text,
+    text,
 };
 
 /// A device.

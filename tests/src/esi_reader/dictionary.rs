@@ -121,7 +121,15 @@ impl Dictionary {
     pub fn values(&self, object: &Object) -> Result<Vec<Value>, String> {
         let declared = self.type_of(&object.type_name)?;
         if declared.items.is_empty() {
-            return Ok(vec![self.value(object, 0, &object.name, &object.type_name, 0, &object.flags, &object.info)?]);
+            return Ok(vec![self.value(
+                object,
+                0,
+                &object.name,
+                &object.type_name,
+                0,
+                &object.flags,
+                &object.info,
+            )?]);
         }
         let mut places = Vec::new();
         for item in &declared.items {
@@ -135,7 +143,10 @@ impl Dictionary {
         pairs
             .map(|(place, (name, info))| {
                 if place.own_name.is_some_and(|own| own != name) {
-                    return Err(format!("{:04X}: member {:?} has a value {name}", object.index, place.own_name));
+                    return Err(format!(
+                        "{:04X}: member {:?} has a value {name}",
+                        object.index, place.own_name
+                    ));
                 }
                 let Place { subindex, type_name, offset, flags, .. } = place;
                 self.value(object, subindex, name, type_name, offset, flags, info)
@@ -222,7 +233,9 @@ fn data_type(node: Node<'_, '_>) -> Result<DataType, String> {
     Ok(DataType {
         base: optional_text(node, "BaseType")?,
         bits: number(node, "BitSize")?,
-        array: array.map(|array| Ok::<_, String>((number(array, "LBound")?, number(array, "Elements")?))).transpose()?,
+        array: array
+            .map(|array| Ok::<_, String>((number(array, "LBound")?, number(array, "Elements")?)))
+            .transpose()?,
         items: children(node, "SubItem").map(sub_item).collect::<Result<_, _>>()?,
         choices: children(node, "EnumInfo").map(choice).collect::<Result<_, _>>()?,
     })

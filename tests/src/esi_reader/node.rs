@@ -13,7 +13,10 @@ pub(super) fn children<'a, 'd: 'a>(
 }
 
 /// The child of a name, if there is one; two are an error.
-pub(super) fn optional<'a, 'd: 'a>(node: Node<'a, 'd>, name: &'a str) -> Result<Option<Node<'a, 'd>>, String> {
+pub(super) fn optional<'a, 'd: 'a>(
+    node: Node<'a, 'd>,
+    name: &'a str,
+) -> Result<Option<Node<'a, 'd>>, String> {
     let mut found = children(node, name);
     match (found.next(), found.next()) {
         (first, None) => Ok(first),
@@ -43,7 +46,8 @@ pub(super) fn optional_text(node: Node<'_, '_>, name: &str) -> Result<Option<Str
 
 /// The number in an element.
 pub(super) fn value<T: TryFrom<i64> + FromStr>(node: Node<'_, '_>) -> Result<T, String> {
-    parse(&content(node)).ok_or_else(|| complaint(node, &format!("is no number that fits: {}", content(node))))
+    parse(&content(node))
+        .ok_or_else(|| complaint(node, &format!("is no number that fits: {}", content(node))))
 }
 
 /// The number in the only child of a name.
@@ -60,9 +64,14 @@ pub(super) fn optional_number<T: TryFrom<i64> + FromStr>(
 }
 
 /// The number in an attribute, if there is one.
-pub(super) fn attribute<T: TryFrom<i64> + FromStr>(node: Node<'_, '_>, name: &str) -> Result<Option<T>, String> {
+pub(super) fn attribute<T: TryFrom<i64> + FromStr>(
+    node: Node<'_, '_>,
+    name: &str,
+) -> Result<Option<T>, String> {
     let Some(written) = node.attribute(name) else { return Ok(None) };
-    parse(written).map(Some).ok_or_else(|| complaint(node, &format!("has no number that fits in {name}: {written}")))
+    parse(written)
+        .map(Some)
+        .ok_or_else(|| complaint(node, &format!("has no number that fits in {name}: {written}")))
 }
 
 /// Whether an attribute is there and says yes.

@@ -5,8 +5,18 @@ use super::literal::Hex;
 use super::primitive;
 use crate::model::{Device, Direction, Mapped, Pdo, SyncManager};
 
+/// The PDOs of a direction by index, but those assigned at start-up in the order of their assignment: masters
+/// lay out the process image in the order of the file.
+pub(super) fn in_order(device: &Device, direction: Direction) -> Vec<Element> {
+    let managers = device.sync_managers.iter();
+    let mut assigned = managers.flat_map(|manager| &manager.pdos).filter_map(|index| device.pdo(*index));
+    let mut next_assigned = || assigned.by_ref().find(|pdo| pdo.direction == direction);
+    let in_place = |it| if assigned_to(device, it).is_some() { next_assigned().unwrap_or(it) } else { it };
+    device.pdos_of(direction).map(in_place).map(|it| pdo(device, it)).collect()
+}
+
 /// A PDO. Only one that is assigned at start-up names its sync manager.
-pub(super) fn pdo(device: &Device, pdo: &Pdo) -> Element {
+fn pdo(device: &Device, pdo: &Pdo) -> Element {
     let tag = match pdo.direction {
         Direction::Rx => "RxPdo",
         Direction::Tx => "TxPdo",

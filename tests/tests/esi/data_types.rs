@@ -1,0 +1,56 @@
+//! Which types are declared, and who shares one.
+
+use std::collections::BTreeSet;
+
+use crate::subjects::{corners, subjects};
+
+#[test]
+fn every_type_that_is_named_is_declared_and_every_declared_one_named() {
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            let types = &read.dictionary.types;
+            let members =
+                types.values().flat_map(|it| it.items.iter().map(|item| &item.type_name).chain(&it.base));
+            let objects = read.dictionary.objects.iter().map(|object| &object.type_name);
+            let named: BTreeSet<_> = members.chain(objects).collect();
+            assert_eq!(named, types.keys().collect::<BTreeSet<_>>(), "{}", model.name);
+        }
+    }
+}
+
+#[test]
+fn composite_types_are_named_after_an_object_of_theirs() {
+    for subject in subjects() {
+        for (_, read) in subject.devices() {
+            for (name, _) in read.dictionary.types.iter().filter(|(_, it)| !it.items.is_empty()) {
+                let own =
+                    read.dictionary.objects.iter().find(|object| format!("DT{:04X}", object.index) == *name);
+                assert_eq!(own.map(|object| &object.type_name), Some(name));
+            }
+        }
+    }
+}
+
+#[test]
+fn axes_share_a_type_only_if_it_says_the_same_of_both() {
+    let subject = corners();
+    let objects = &subject.esi.devices[0].dictionary.objects;
+    let type_of = |index| objects.iter().find(|object| object.index == index).map(|it| it.type_name.as_str());
+    assert_eq!(type_of(0x6001), Some("DT6001"));
+    assert_eq!(type_of(0x6801), Some("DT6001"), "the same on both axes");
+    assert_eq!(type_of(0x6002), Some("DT6002"));
+    assert_eq!(type_of(0x6802), Some("DT6802"), "a remark of its own on the second axis");
+}
+
+#[test]
+fn choices_of_the_same_values_share_a_type() {
+    let subject = corners();
+    let dictionary = &subject.esi.devices[0].dictionary;
+    let type_of = |index| dictionary.objects.iter().find(|it| it.index == index).unwrap().type_name.as_str();
+    assert_eq!(type_of(0x2004), "DT0800EN08");
+    assert_eq!(type_of(0x2005), "DT0800EN08", "the same choice");
+    assert_eq!(type_of(0x2006), "SINT", "one value is no choice");
+    let choices = [(-1, "Backward".to_owned()), (0, "Still".to_owned()), (1, "Forward".to_owned())];
+    assert_eq!(dictionary.types["DT0800EN08"].choices, choices);
+    assert_eq!(dictionary.types["DT0800EN08"].base.as_deref(), Some("SINT"));
+}

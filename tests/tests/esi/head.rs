@@ -1,0 +1,145 @@
+//! What stands before and beside the dictionary: identity, groups, mailbox, clocks, EEPROM, assumptions.
+
+use devc::model::SyncSignal;
+use devc_tests::esi_reader::Signal;
+
+use crate::subjects::subjects;
+
+#[test]
+fn vendor_and_groups_are_those_of_the_model() {
+    for subject in subjects() {
+        let first = &subject.family.members[0];
+        assert_eq!(subject.esi.version, "1.14");
+        assert_eq!(subject.esi.vendor_id, first.identity.vendor_id);
+        assert_eq!(subject.esi.vendor_name, first.vendor);
+        for device in &subject.family.members {
+            let groups = subject.esi.groups.iter().filter(|(kind, _)| *kind == device.group);
+            assert_eq!(groups.map(|(_, name)| name.as_str()).collect::<Vec<_>>(), [device.group.as_str()]);
+        }
+    }
+}
+
+#[test]
+fn identity_is_that_of_the_model() {
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            assert_eq!(read.type_name, model.type_name);
+            assert_eq!(read.product_code, model.identity.product_code);
+            assert_eq!(read.revision, model.identity.revision);
+            assert_eq!(read.physics, model.physics);
+            assert_eq!(read.group, model.group);
+            assert!(read.name.starts_with(&model.name), "{} is not {}", read.name, model.name);
+        }
+    }
+}
+
+#[test]
+fn each_axis_is_a_channel_of_the_profile() {
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            let axes = model.axes.iter().filter_map(|axis| Some((model.profile?, axis.name.clone())));
+            assert_eq!(read.profile.0, model.profile);
+            assert_eq!(read.channels, axes.collect::<Vec<_>>());
+        }
+    }
+}
+
+#[test]
+fn the_device_type_consists_of_the_profile_and_its_additional_information() {
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            let Some(object) = read.dictionary.objects.iter().find(|object| object.index == 0x1000) else {
+                continue;
+            };
+            let Some([low, high, more, most]) = object.info.default.as_deref() else { continue };
+            let profile = u32::from(*low) | u32::from(*high) << 8;
+            let information = u32::from(*more) | u32::from(*most) << 8;
+            assert_eq!(read.profile, (Some(profile), Some(information)), "{}", model.name);
+        }
+    }
+}
+
+#[test]
+fn the_mailbox_can_do_what_the_model_says() {
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            let Some(mailbox) = &model.mailbox else {
+                assert!(read.protocols.is_empty());
+                continue;
+            };
+            let mut spoken = mailbox.protocols.clone();
+            spoken.sort_by_key(|name| {
+                ["AoE", "EoE", "CoE", "FoE", "SoE", "VoE"].iter().position(|it| it == name)
+            });
+            assert_eq!(read.protocols, spoken);
+            let coe = read.coe.as_ref().unwrap();
+            assert_eq!(coe.sdo_info, mailbox.sdo_info);
+            assert_eq!(coe.pdo_assign, mailbox.pdo_assign);
+            assert_eq!(coe.pdo_config, mailbox.pdo_config);
+            assert_eq!(coe.complete_access, mailbox.complete_access);
+            assert_eq!(coe.segmented, mailbox.segmented);
+        }
+    }
+}
+
+#[test]
+fn the_ways_to_keep_time_are_those_of_the_model() {
+    let same = |model: &Option<SyncSignal>, read: &Option<Signal>| match (model, read) {
+        (None, None) => true,
+        (Some(model), Some(read)) => Some(model.cycles) == read.factor && model.shift_ns == read.shift,
+        _ => false,
+    };
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            let clocked = model.sync_modes.iter().any(|mode| mode.assign_activate != 0);
+            let modes = if clocked { model.sync_modes.as_slice() } else { &[] };
+            assert_eq!(read.op_modes.len(), modes.len());
+            for (mode, read) in modes.iter().zip(&read.op_modes) {
+                assert_eq!(read.name, mode.id);
+                assert_eq!(read.description.as_deref(), Some(mode.name.as_str()));
+                assert_eq!(read.assign_activate, mode.assign_activate);
+                assert!(same(&mode.sync0, &read.sync0), "{}: {:?} {:?}", mode.id, mode.sync0, read.sync0);
+                assert!(same(&mode.sync1, &read.sync1), "{}: {:?} {:?}", mode.id, mode.sync1, read.sync1);
+            }
+            let default = model.sync_modes.iter().find(|mode| mode.default);
+            assert!(
+                default.is_none_or(|default| read.op_modes.first().is_none_or(|it| it.name == default.id))
+            );
+        }
+    }
+}
+
+#[test]
+fn the_eeprom_is_left_alone_unless_its_first_bytes_are_known() {
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            let written = read.eeprom.as_ref().map(|it| (it.size, it.config_data.clone()));
+            let known = Some((model.eeprom.size, model.eeprom.config_data.clone()));
+            assert_eq!(written, known.filter(|(_, data)| !data.is_empty()));
+        }
+    }
+}
+
+#[test]
+fn every_assumption_can_be_read_at_the_head() {
+    for subject in subjects() {
+        let head = subject.xml.split("<EtherCATInfo").next().unwrap();
+        for assumption in subject.family.members.iter().flat_map(|device| &device.assumptions) {
+            // A comment cannot hold two hyphens in a row.
+            let reason =
+                assumption.reason.split_whitespace().collect::<Vec<_>>().join(" ").replace("--", "- -");
+            assert!(head.contains(&assumption.at), "{} is not at the head", assumption.at);
+            assert!(head.contains(&reason), "{reason} is not at the head");
+        }
+    }
+}
+
+#[test]
+fn the_file_is_utf8_with_two_spaces_a_level_and_nothing_else() {
+    for subject in subjects() {
+        assert!(subject.xml.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!--"));
+        assert!(subject.xml.ends_with("</EtherCATInfo>\n"));
+        assert!(!subject.xml.contains(['\r', '\t', '\u{FEFF}']));
+        assert!(subject.xml.lines().all(|line| line == line.trim_end()), "spaces at the end of a line");
+    }
+}

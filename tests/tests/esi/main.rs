@@ -1,0 +1,14 @@
+//! The ESI output, read back.
+//!
+//! Two readers look at it: the crate `ethercat-esi`, and `devc_tests::esi_reader`. What they find has to be the
+//! model, and to keep the rules that no schema can check.
+
+#![cfg(test)]
+
+mod crate_reader;
+mod data_types;
+mod dictionary;
+mod head;
+mod layout;
+mod process_data;
+mod subjects;

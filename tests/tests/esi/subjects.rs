@@ -1,0 +1,58 @@
+//! What is tested: every description that devc ships, and one that has what those have not.
+
+use std::path::{Path, PathBuf};
+
+use devc::emit::Emitter;
+use devc::emit::esi::Esi as Writer;
+use devc::lint::Checked;
+use devc::model::{Device, Family};
+use devc::source::{Disk, Loader, Memory};
+use devc_tests::esi_reader::{self, Esi};
+
+/// A description with a corner of every kind.
+const CORNERS: &str = include_str!("corners.toml");
+
+/// A family with the file that was written for it.
+pub(crate) struct Subject {
+    pub(crate) family: Checked<Family>,
+    pub(crate) xml: String,
+    pub(crate) esi: Esi,
+}
+
+impl Subject {
+    /// Each device of the model with what the file says of it.
+    pub(crate) fn devices(&self) -> impl Iterator<Item = (&Device, &esi_reader::Device)> {
+        assert_eq!(self.family.members.len(), self.esi.devices.len(), "devices of {}", self.family.id);
+        self.family.members.iter().zip(&self.esi.devices)
+    }
+}
+
+/// All of them.
+pub(crate) fn subjects() -> Vec<Subject> {
+    let mut subjects: Vec<_> = shipped().iter().map(|folder| subject(&Disk, folder)).collect();
+    subjects.push(corners());
+    subjects
+}
+
+/// The one with the corners.
+pub(crate) fn corners() -> Subject {
+    subject(&Memory::new().with("/corners/device.toml", CORNERS), Path::new("/corners"))
+}
+
+fn subject(loader: &dyn Loader, folder: &Path) -> Subject {
+    let compilation = devc::compile(loader, folder);
+    let messages: Vec<_> = compilation.diagnostics.iter().map(|it| it.message.as_str()).collect();
+    let family = compilation.family.unwrap_or_else(|| panic!("{}: {messages:#?}", folder.display()));
+    let xml = Writer.emit(&family);
+    let esi = esi_reader::read(&xml).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    Subject { family, xml, esi }
+}
+
+fn shipped() -> Vec<PathBuf> {
+    let devices = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices");
+    let folders = std::fs::read_dir(&devices).unwrap().map(|entry| entry.unwrap().path());
+    let mut described: Vec<_> = folders.filter(|folder| folder.join("device.toml").is_file()).collect();
+    described.sort();
+    assert!(!described.is_empty(), "no descriptions in {}", devices.display());
+    described
+}
