@@ -116,26 +116,27 @@ fn described_count(
     entity: &ObjectEntity,
     address: Address,
 ) -> Option<Entry> {
-    let raw = RawEntry {
-        r#type: written.raw.r#type.clone().or_else(|| Some("UINT8".to_owned())),
-        default: written.raw.default.clone().or_else(|| highest(entity)),
-        ..RawEntry::default()
-    };
-    let name = written.raw.name.clone().unwrap_or_else(|| COUNT.to_owned());
-    let counted = Written { raw: &raw, shared: &RawEntry::default(), origin: written.origin };
-    let mut entry = entry(context, &counted, address, &name)?;
-    entry.access = access(written.raw.access);
-    entry.note = written.raw.note.clone();
-    entry.about = written.raw.about.clone();
-    entry.written = written.raw.written.clone();
-    entry.functional = written.raw.functional.unwrap_or(true);
+    let Written { raw, origin, .. } = written;
+    let mut entry = count(address.index, highest(entity), origin);
+    if raw.r#type.is_some() {
+        entry.data_type = data_type(context, written, address)?;
+        entry.type_provenance = context.provenance(origin, "type");
+    }
+    if let Some(default) = &raw.default {
+        entry.default = values::value(context, default, entry.data_type, "default", origin);
+    }
+    entry.name = raw.name.clone().unwrap_or(entry.name);
+    entry.access = access(raw.access);
+    entry.note = raw.note.clone();
+    entry.about = raw.about.clone();
+    entry.written = raw.written.clone();
+    entry.functional = raw.functional.unwrap_or(true);
     Some(entry)
 }
 
-fn highest(entity: &ObjectEntity) -> Option<crate::raw::Literal> {
+fn highest(entity: &ObjectEntity) -> u8 {
     let ends = entity.entries.iter().filter_map(|entry| keys::range::<u8>(&entry.key));
-    let highest = ends.map(|range| *range.end()).max()?;
-    Some(crate::raw::Literal::Integer(highest.into()))
+    ends.map(|range| *range.end()).max().unwrap_or(0)
 }
 
 /// An entry that is read only and says nothing but its type.

@@ -1,5 +1,6 @@
 //! Where an entity was written.
 
+use std::fmt;
 use std::sync::Arc;
 
 use super::{Location, Node, Table, Value};
@@ -8,7 +9,7 @@ use super::{Location, Node, Table, Value};
 ///
 /// The table may be layered: a value that a profile sets lies in the profile's file, one that the device
 /// sets lies in the device's.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Origin {
     header: Location,
     table: Arc<Table>,
@@ -54,5 +55,13 @@ impl Origin {
             };
         }
         Some(node)
+    }
+}
+
+/// The place alone: the table is what the entity itself says.
+impl fmt::Debug for Origin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Location { file, start, end } = self.header;
+        write!(f, "Origin({}:{start}..{end})", file.0)
     }
 }
