@@ -4,8 +4,8 @@ mod axes;
 mod prose;
 mod value;
 
-use super::inline::{code, link, text};
-use crate::model::{Address, Device, Entry, Index, Mode, Object, Pdo, Source};
+use super::inline::{code, link, small, text};
+use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, Source};
 
 /// A device to be printed.
 #[derive(Debug)]
@@ -41,6 +41,11 @@ impl<'a> Context<'a> {
         self.id(&format!("word-{id}"))
     }
 
+    /// The anchor of an error code.
+    pub(super) fn error_id(&self, error: &ErrorCode) -> String {
+        self.id(&format!("error-{:04x}", error.code))
+    }
+
     /// The anchor of a mode.
     pub(super) fn mode_id(&self, code: i16) -> String {
         self.id(&format!("mode-{code}"))
@@ -51,17 +56,22 @@ impl<'a> Context<'a> {
         self.linked(index, &code(index))
     }
 
+    /// A label, linked to what the index names: a PDO, an object, or an error code.
     fn linked(&self, index: Index, label: &str) -> String {
-        if let Some(pdo) = self.device.pdo(index) {
+        let device = self.device;
+        if let Some(pdo) = device.pdo(index) {
             return link(label, self.pdo_id(pdo));
         }
-        self.device.object(index).map_or_else(|| label.into(), |object| link(label, self.object_id(object)))
+        if let Some(object) = device.object(index) {
+            return link(label, self.object_id(object));
+        }
+        let error = device.errors.iter().find(|error| error.code == index.0);
+        error.map_or_else(|| label.into(), |error| link(label, self.error_id(error)))
     }
 
-    /// An address, linked to its object; the subindex only where there are several.
+    /// An address, linked to its object. Subindex 0 stands for the object.
     pub(super) fn address(&self, address: Address) -> String {
-        let single = self.device.object(address.index).is_none_or(is_single);
-        let label = if single && address.subindex == 0 { code(address.index) } else { code(address) };
+        let label = if address.subindex == 0 { code(address.index) } else { code(address) };
         self.linked(address.index, &label)
     }
 
@@ -73,7 +83,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The name of an entry; of the object alone where it has one value, or where all of it is meant.
+    /// The name of an entry; that of the object for subindex 0.
     pub(super) fn name(&self, address: Address) -> Option<String> {
         let object = self.device.object(address.index)?;
         if address.subindex == 0 {
@@ -82,23 +92,18 @@ impl<'a> Context<'a> {
         object.entry(address.subindex).map(|entry| format!("{}: {}", object.name, entry.name))
     }
 
-    /// An object or all of it: subindex 0 of a record stands for the record.
-    pub(super) fn whole(&self, address: Address) -> String {
-        if address.subindex == 0 { self.index_named(address.index) } else { self.named(address) }
-    }
-
-    fn index_named(&self, index: Index) -> String {
-        let name =
-            self.device.object(index).map_or(String::new(), |object| format!(" {}", text(&object.name)));
-        format!("{}{name}", self.index(index))
-    }
-
     /// A mode by name, linked.
     pub(super) fn mode(&self, code: i16) -> String {
         match self.device.modes.iter().find(|mode| mode.code == code) {
             Some(mode) => link(mode_label(mode), self.mode_id(code)),
             None => format!("mode {code}"),
         }
+    }
+
+    /// The code of a mode, linked.
+    pub(super) fn mode_code(&self, code: i16) -> String {
+        let known = self.device.modes.iter().any(|mode| mode.code == code);
+        if known { link(code, self.mode_id(code)) } else { code.to_string() }
     }
 
     /// A state by name.
@@ -130,12 +135,23 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The unit of an entry as a symbol, with its scaling, linked.
-    pub(super) fn unit(&self, entry: &Entry, axis: Option<u8>) -> String {
+    /// Where a fact is from, in a line of small print.
+    pub(super) fn source_line(&self, source: Option<&Source>) -> String {
+        let place = self.source(source);
+        if place.is_empty() { place } else { small(&format!("Source: {place}")) }
+    }
+
+    /// The unit of an entry, linked; of all axes, if it stands for them.
+    pub(super) fn unit(&self, entry: &Entry) -> String {
         let Some(id) = entry.unit.as_deref() else { return String::new() };
-        let symbol =
-            self.device.unit(id).and_then(|unit| unit.on(axis)).map_or(id, |unit| unit.symbol.as_str());
-        link(text(symbol), self.id(&format!("unit-{id}")))
+        let mut symbols: Vec<&str> = Vec::new();
+        for on_axis in self.device.unit(id).into_iter().flat_map(|unit| &unit.axes) {
+            if !symbols.contains(&on_axis.symbol.as_str()) {
+                symbols.push(&on_axis.symbol);
+            }
+        }
+        let label = if symbols.is_empty() { id.to_owned() } else { symbols.join(", ") };
+        link(text(&label), self.id(&format!("unit-{id}")))
     }
 }
 

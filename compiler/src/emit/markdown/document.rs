@@ -93,6 +93,7 @@ fn front(device: &Device, chapters: Vec<Value>) -> Value {
     context! {
         name => text(&device.name),
         title => optional(&device.title),
+        main => device.documents.first().map_or(String::new(), |document| text(&document.title)),
         chapters,
     }
 }

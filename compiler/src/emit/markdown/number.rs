@@ -37,20 +37,20 @@ pub(super) fn fraction(numerator: u128, denominator: u128) -> String {
 pub(super) fn duration(ns: u64) -> String {
     let units: [(u64, &str); 4] = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "µs"), (1, "ns")];
     let (one, symbol) = units.into_iter().find(|(one, _)| ns >= *one).unwrap_or((1_000_000, "ms"));
-    format!("{} {symbol}", fraction(ns.into(), one.into()))
+    format!("{}\u{A0}{symbol}", fraction(ns.into(), one.into()))
 }
 
 /// A number of bytes.
 pub(super) fn bytes(count: u32) -> String {
-    if count == 1 { "1 byte".into() } else { format!("{count} bytes") }
+    if count == 1 { "1\u{A0}byte".into() } else { format!("{count}\u{A0}bytes") }
 }
 
 /// A width in bits, in bytes if it is whole ones.
 pub(super) fn width(bits: u32) -> String {
     match bits {
-        1 => "1 bit".into(),
+        1 => "1\u{A0}bit".into(),
         bits if bits.is_multiple_of(8) => bytes(bits / 8),
-        bits => format!("{bits} bits"),
+        bits => format!("{bits}\u{A0}bits"),
     }
 }
 
@@ -86,9 +86,9 @@ mod tests {
 
     #[test]
     fn times_have_a_fitting_unit() {
-        assert_eq!(duration(1_000_000), "1 ms");
-        assert_eq!(duration(62_500), "62.5 µs");
-        assert_eq!(duration(0), "0 ms");
+        assert_eq!(duration(1_000_000), "1\u{A0}ms");
+        assert_eq!(duration(62_500), "62.5\u{A0}µs");
+        assert_eq!(duration(0), "0\u{A0}ms");
     }
 
     #[test]

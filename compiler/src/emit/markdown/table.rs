@@ -1,8 +1,14 @@
 //! Tables.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::{Serialize, Serializer};
+
+use super::inline::small;
+
+/// The title of the column that is set in small print. What most rows have in it is said once, below.
+const SOURCE: &str = "Source";
 
 /// A table whose cells are Markdown already. It prints nothing while it has no rows, and leaves out columns
 /// in which no row has anything.
@@ -39,16 +45,25 @@ impl Table {
         self.rows.is_empty()
     }
 
-    fn cell(row: &[String], column: usize) -> &str {
-        row.get(column).map_or("", String::as_str)
+    /// What at least half of the rows name as their source, if every row names one.
+    fn common_source(&self) -> Option<&str> {
+        let column = self.titles.iter().position(|title| title == SOURCE)?;
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+        for row in &self.rows {
+            *counts.entry(row.get(column).map_or("", String::as_str)).or_default() += 1;
+        }
+        let (source, count) = counts.iter().max_by_key(|(_, count)| **count)?;
+        (!counts.contains_key("") && count * 2 >= self.rows.len()).then_some(source)
     }
 
-    fn line<'a>(f: &mut fmt::Formatter<'_>, cells: impl Iterator<Item = &'a str>) -> fmt::Result {
-        f.write_str("|")?;
-        for cell in cells {
-            write!(f, " {cell} |")?;
-        }
-        f.write_str("\n")
+    /// The cells as they are printed.
+    fn cells(&self, common: Option<&str>) -> Vec<Vec<String>> {
+        let print = |(title, cell): (&String, &String)| match title.as_str() {
+            SOURCE if Some(cell.as_str()) == common => String::new(),
+            SOURCE => small(cell),
+            _ => cell.clone(),
+        };
+        self.rows.iter().map(|row| self.titles.iter().zip(row).map(print).collect()).collect()
     }
 }
 
@@ -57,18 +72,67 @@ impl fmt::Display for Table {
         if self.is_empty() {
             return Ok(());
         }
-        let used = |column: &usize| self.rows.iter().any(|row| !Self::cell(row, *column).is_empty());
-        let columns: Vec<usize> = (0..self.titles.len()).filter(used).collect();
-        Self::line(f, columns.iter().map(|column| Self::cell(&self.titles, *column)))?;
-        Self::line(f, columns.iter().map(|_| "---"))?;
-        self.rows
-            .iter()
-            .try_for_each(|row| Self::line(f, columns.iter().map(|column| Self::cell(row, *column))))
+        let common = self.common_source();
+        let rows = self.cells(common);
+        let used: Vec<bool> =
+            (0..self.titles.len()).map(|column| rows.iter().any(|row| !blank(row, column))).collect();
+        line(f, &used, &self.titles)?;
+        line(f, &used, &vec!["---".to_owned(); used.len()])?;
+        rows.iter().try_for_each(|row| line(f, &used, row))?;
+        let Some(source) = common else { return Ok(()) };
+        let exceptions = used.last().is_some_and(|used| *used);
+        let otherwise = if exceptions { ", unless a row says otherwise" } else { "" };
+        writeln!(f, "\n{}", small(&format!("Source: {source}{otherwise}")))
     }
 }
 
 impl Serialize for Table {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
+    }
+}
+
+fn blank(row: &[String], column: usize) -> bool {
+    row.get(column).is_none_or(String::is_empty)
+}
+
+fn line(f: &mut fmt::Formatter<'_>, used: &[bool], cells: &[String]) -> fmt::Result {
+    f.write_str("|")?;
+    for (cell, _) in cells.iter().zip(used).filter(|(_, used)| **used) {
+        write!(f, " {cell} |")?;
+    }
+    f.write_str("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(rows: &[[&str; 3]]) -> String {
+        Table::of(["Name", "Notes", "Source"], rows, |row| row.map(String::from)).to_string()
+    }
+
+    #[test]
+    fn without_rows_there_is_nothing() {
+        assert_eq!(table(&[]), "");
+    }
+
+    #[test]
+    fn columns_without_content_are_left_out() {
+        assert_eq!(
+            table(&[["a", "", "p. 1"], ["b", "", "p. 2"], ["c", "", ""]]),
+            "| Name | Source |\n| --- | --- |\n| a | <sub>p. 1</sub> |\n| b | <sub>p. 2</sub> |\n| c |  |\n"
+        );
+    }
+
+    #[test]
+    fn a_source_of_most_rows_is_said_once() {
+        assert_eq!(
+            table(&[["a", "x", "p. 1"], ["b", "", "p. 1"]]),
+            "| Name | Notes |\n| --- | --- |\n| a | x |\n| b |  |\n\n<sub>Source: p. 1</sub>\n"
+        );
+        let mixed = table(&[["a", "x", "p. 1"], ["b", "", "p. 1"], ["c", "", "p. 2"]]);
+        assert!(mixed.contains("| c |  | <sub>p. 2</sub> |"), "{mixed}");
+        assert!(mixed.ends_with("<sub>Source: p. 1, unless a row says otherwise</sub>\n"), "{mixed}");
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{code, list, small, text};
+use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::bytes;
 use crate::emit::markdown::table::Table;
 use crate::model::{Mailbox, Role, SyncManager};
@@ -43,7 +43,7 @@ fn states(context: &Context<'_>) -> Table {
                 code(state.code),
                 format!("**{}**", text(&state.name)),
                 context.optional(state.about.as_deref()),
-                small(&context.source(state.source.as_ref())),
+                context.source(state.source.as_ref()),
             ]
         },
     )
@@ -61,7 +61,7 @@ fn transitions(context: &Context<'_>) -> Table {
             name(&change.from),
             name(&change.to),
             context.optional(change.about.as_deref()),
-            small(&context.source(change.source.as_ref())),
+            context.source(change.source.as_ref()),
         ]
     })
 }
@@ -79,7 +79,7 @@ fn sync_managers(context: &Context<'_>) -> Table {
             code(format!("0x{:02X}", manager.control)),
             list(manager.pdos.iter().map(|pdo| context.index(*pdo))),
             slots(manager),
-            small(&context.source(manager.source.as_ref())),
+            context.source(manager.source.as_ref()),
         ]
     })
 }
@@ -107,5 +107,5 @@ fn mailbox(mailbox: &Mailbox) -> Table {
         ("Complete access", answer(mailbox.complete_access)),
         ("Segmented transfer", answer(mailbox.segmented)),
     ];
-    Table::of(["Mailbox", ""], rows, |(name, value)| [name.into(), value])
+    Table::of(["Mailbox", "Supported"], rows, |(name, value)| [name.into(), value])
 }

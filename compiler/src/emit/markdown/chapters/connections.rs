@@ -4,22 +4,14 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{list, small, text};
+use crate::emit::markdown::inline::text;
 use crate::emit::markdown::table::Table;
 use crate::model::Led;
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
     connectors: Table,
-    leds: Vec<LedView>,
-}
-
-#[derive(Serialize)]
-struct LedView {
-    name: String,
-    about: String,
-    patterns: Table,
-    source: String,
+    lights: Table,
 }
 
 impl Chapter for View {
@@ -29,10 +21,8 @@ impl Chapter for View {
 
     fn view(context: &Context<'_>) -> Option<Self> {
         let device = context.device;
-        (!device.connectors.is_empty() || !device.leds.is_empty()).then(|| Self {
-            connectors: connectors(context),
-            leds: device.leds.iter().map(|led| led_view(context, led)).collect(),
-        })
+        let shown = !device.connectors.is_empty() || !device.leds.is_empty();
+        shown.then(|| Self { connectors: connectors(context), lights: lights(context) })
     }
 }
 
@@ -42,19 +32,28 @@ fn connectors(context: &Context<'_>) -> Table {
             format!("**{}**", text(&connector.name)),
             context.optional(connector.kind.as_deref()),
             context.optional(connector.about.as_deref()),
-            small(&context.source(connector.source.as_ref())),
+            context.source(connector.source.as_ref()),
         ]
     })
 }
 
-fn led_view(context: &Context<'_>, led: &Led) -> LedView {
-    let colour = led.colour.iter().map(|colour| text(colour));
-    LedView {
-        name: list([text(&led.name)].into_iter().chain(colour)),
-        about: context.paragraphs(led.about.as_deref()),
-        patterns: Table::of(["Light", "Meaning"], &led.patterns, |pattern| {
-            [context.prose(&pattern.shows), context.prose(&pattern.means)]
-        }),
-        source: small(&context.source(led.source.as_ref())),
+/// A row for each light, then one for each of its patterns.
+fn lights(context: &Context<'_>) -> Table {
+    let mut table = Table::new(["Light", "Colour", "Shows", "Meaning", "Source"]);
+    for led in &context.device.leds {
+        let source = context.source(led.source.as_ref());
+        let about = context.optional(led.about.as_deref());
+        let row = |name: [String; 2], shows: String, means: String| {
+            name.into_iter().chain([shows, means, source.clone()])
+        };
+        table.row(row(name(led), String::new(), about));
+        for pattern in &led.patterns {
+            table.row(row(Default::default(), context.prose(&pattern.shows), context.prose(&pattern.means)));
+        }
     }
+    table
+}
+
+fn name(led: &Led) -> [String; 2] {
+    [format!("**{}**", text(&led.name)), led.colour.as_deref().map_or(String::new(), text)]
 }

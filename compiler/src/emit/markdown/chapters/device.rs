@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{code, link, list, small, text};
+use crate::emit::markdown::inline::{code, link, list, text};
 use crate::emit::markdown::number::bytes;
 use crate::emit::markdown::table::Table;
 use crate::model::{Device, Role};
@@ -28,7 +28,7 @@ impl Chapter for View {
             about: context.paragraphs(device.about.as_deref()),
             facts: facts(context),
             identity: identity(device),
-            source: small(&context.source(device.identity.source.as_ref())),
+            source: context.source_line(device.identity.source.as_ref()),
         })
     }
 }
@@ -48,11 +48,11 @@ fn facts(context: &Context<'_>) -> Table {
         ("Profile", device.profile.map_or(String::new(), |profile| format!("CiA {profile}"))),
         ("Axes", axes),
         ("Process data", process_data(context)),
-        ("Ports", code(&device.physics)),
+        ("Ports", ports(&device.physics)),
         ("EEPROM", eeprom(device)),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
-    Table::of(["", ""], rows, |(name, value)| [format!("**{name}**"), value])
+    Table::of(["Device", &text(&device.name)], rows, |(name, value)| [name.into(), value])
 }
 
 fn process_data(context: &Context<'_>) -> String {
@@ -62,6 +62,18 @@ fn process_data(context: &Context<'_>) -> String {
     }
     let sizes = format!("{} of outputs, {} of inputs", size(Role::Outputs), size(Role::Inputs));
     format!("{} by default", link(sizes, context.id("process-data")))
+}
+
+/// What each port is, by the letters of an ESI.
+fn ports(physics: &str) -> String {
+    let port = |letter| match letter {
+        'Y' => "Ethernet (MII)".into(),
+        'H' => "Ethernet (MII, fast hot connect)".into(),
+        'K' => "E-bus (LVDS)".into(),
+        letter => text(&String::from(letter)),
+    };
+    let ports = physics.chars().filter(|letter| *letter != ' ').map(port);
+    list(ports.enumerate().map(|(number, port)| format!("{number}: {port}")))
 }
 
 fn eeprom(device: &Device) -> String {

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{anchor, code, link, list, small, text};
+use crate::emit::markdown::inline::{anchor, code, link, list, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{ErrorCode, Index};
 
@@ -41,13 +41,13 @@ fn errors(context: &Context<'_>) -> Table {
     let titles = ["Code", "Error", "Register", "Vendor code", "Meaning", "What to do", "Source"];
     Table::of(titles, &context.device.errors, |error| {
         [
-            format!("{}{}", anchor(context.id(&format!("error-{:04x}", error.code))), codes(error)),
+            format!("{}{}", anchor(context.error_id(error)), codes(error)),
             format!("**{}**", text(&error.name)),
             error.register.map_or(String::new(), |register| code(format!("0x{register:02X}"))),
             list(error.vendor_codes.iter().map(|code| vendor_code(context, *code))),
             context.optional(error.about.as_deref()),
             context.optional(error.remedy.as_deref()),
-            small(&context.source(error.source.as_ref())),
+            context.source(error.source.as_ref()),
         ]
     })
 }
@@ -74,8 +74,8 @@ fn vendor_codes(context: &Context<'_>) -> Table {
             format!("{}{}", anchor(vendor_id(context, vendor.code)), code(vendor.code)),
             format!("**{}**", text(&vendor.name)),
             context.optional(vendor.about.as_deref()),
-            list(errors.map(|error| link(codes(error), context.id(&format!("error-{:04x}", error.code))))),
-            small(&context.source(vendor.source.as_ref())),
+            list(errors.map(|error| link(codes(error), context.error_id(error)))),
+            context.source(vendor.source.as_ref()),
         ]
     })
 }

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use super::words::{bits, name, statements};
+use super::words::{statements, table};
 use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::document::{Chapter, Section};
-use crate::emit::markdown::inline::{code, link, list, sentence, small, text};
+use crate::emit::markdown::inline::{code, link, list, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Mode, ModeBits};
 
@@ -71,18 +71,16 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
         about: context.paragraphs(mode.about.as_deref()),
         cautions: mode.cautions.iter().map(|caution| sentence(&context.prose(caution))).collect(),
         conditions: mode.conditions.iter().map(|condition| sentence(&context.prose(condition))).collect(),
-        objects: list(mode.objects.iter().map(|address| context.whole(*address))),
+        objects: list(mode.objects.iter().map(|address| context.named(*address))),
         control_bits: fields(context, "Bit of the controlword", &mode.control_bits),
         status_bits: fields(context, "Bit of the statusword", &mode.status_bits),
         commands: commands(context, mode),
-        source: small(&context.source(mode.source.as_ref())),
+        source: context.source_line(mode.source.as_ref()),
     }
 }
 
 fn fields(context: &Context<'_>, title: &str, mode_bits: &ModeBits) -> Table {
-    Table::of([title, "Name", "Meaning"], &mode_bits.fields, |field| {
-        [bits(field), name(field), statements(context, field).join("<br>")]
-    })
+    table(title, &mode_bits.fields, |field| statements(context, field).join("<br>"))
 }
 
 fn commands(context: &Context<'_>, mode: &Mode) -> Table {
@@ -104,7 +102,7 @@ fn changes(context: &Context<'_>) -> Table {
         [] => "any".into(),
         codes => list(codes.iter().map(|code| context.mode(*code))),
     };
-    let titles = ["From", "To", "Done when", "Fault when", "What there is to know", "Source"];
+    let titles = ["From", "To", "Done when", "Fault when", "Notes", "Source"];
     Table::of(titles, &context.device.mode_changes, |change| {
         [
             modes(&change.from),
@@ -112,7 +110,7 @@ fn changes(context: &Context<'_>) -> Table {
             context.optional(change.done_when.as_deref()),
             context.optional(change.fault_when.as_deref()),
             context.optional(change.about.as_deref()),
-            small(&context.source(change.source.as_ref())),
+            context.source(change.source.as_ref()),
         ]
     })
 }

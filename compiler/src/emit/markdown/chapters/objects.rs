@@ -7,7 +7,7 @@ mod per_axis;
 
 use serde::Serialize;
 
-use detail::ObjectView;
+use detail::{Detail, ObjectView};
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
@@ -25,9 +25,11 @@ struct AreaView {
     anchor: String,
     title: String,
     about: String,
+    source: String,
     objects: Table,
     on_axes: Table,
-    details: Vec<ObjectView>,
+    brief: Vec<String>,
+    full: Vec<ObjectView>,
 }
 
 impl Chapter for View {
@@ -48,14 +50,29 @@ impl Chapter for View {
 }
 
 fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
-    AreaView {
+    let common = area.common_source();
+    let mut view = AreaView {
         anchor: context.id(&format!("area-{:04x}", area.first)),
         title: text(area.name),
         about: context.paragraphs(area.about),
-        objects: overview::table(context, &area.objects),
+        source: context.source_line(common),
+        objects: Table::default(),
         on_axes: per_axis::indices(context, &area.objects),
-        details: area.objects.iter().filter_map(|object| detail::detail(context, object)).collect(),
+        brief: Vec::new(),
+        full: Vec::new(),
+    };
+    let mut lines = overview::Lines::new(context);
+    for object in &area.objects {
+        let detail = detail::detail(context, object, common);
+        lines.object(object, detail.is_some());
+        match detail {
+            Some(Detail::Brief(line)) => view.brief.push(line),
+            Some(Detail::Full(object)) => view.full.push(object),
+            None => {}
+        }
     }
+    view.objects = lines.table;
+    view
 }
 
 /// Whether an object is the mapping of a PDO, which the chapter of process data shows.

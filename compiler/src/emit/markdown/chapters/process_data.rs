@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
-use crate::emit::markdown::inline::{code, list, small, text};
+use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, place, width};
 use crate::emit::markdown::table::Table;
 use crate::model::{Address, Direction, Mapped, Pdo, Role};
@@ -81,7 +81,7 @@ fn overview(context: &Context<'_>, pdos: &[&Pdo]) -> Table {
             context.index(pdo.index),
             text(&pdo.name),
             width(pdo.bits()),
-            pdo.mode.map_or(String::new(), |mode| context.mode(mode)),
+            pdo.mode.map_or(String::new(), |mode| context.mode_code(mode)),
             list(pdo.excludes.iter().map(|other| context.index(*other))),
         ];
         table.row(cells.into_iter().chain(others));
@@ -115,7 +115,7 @@ fn pdo_view(context: &Context<'_>, pdo: &Pdo) -> PdoView {
         about: context.paragraphs(pdo.about.as_deref()),
         facts: facts(context, pdo).join(" · "),
         layout: layout(context, pdo),
-        source: small(&context.source(pdo.source.as_ref())),
+        source: context.source_line(pdo.source.as_ref()),
     }
 }
 
@@ -141,17 +141,27 @@ fn layout(context: &Context<'_>, pdo: &Pdo) -> Table {
         [
             place(mapped.offset, mapped.bits),
             mapped.address.map_or(String::new(), |address| context.address(address)),
-            if mapped.address.is_none() { "*padding*".into() } else { text(&mapped.name) },
+            name(context, mapped),
             mapped.data_type.map_or_else(|| width(mapped.bits), |data_type| data_type.to_string()),
-            unit(context, pdo, mapped),
+            unit(context, mapped),
             mapping_entry(mapped),
         ]
     })
 }
 
-fn unit(context: &Context<'_>, pdo: &Pdo, mapped: &Mapped) -> String {
+fn name(context: &Context<'_>, mapped: &Mapped) -> String {
+    match mapped.address {
+        None => "*padding*".into(),
+        Some(address) if context.device.entry(address).is_none() => {
+            format!("{} *(not in the dictionary)*", text(&mapped.name))
+        }
+        Some(_) => text(&mapped.name),
+    }
+}
+
+fn unit(context: &Context<'_>, mapped: &Mapped) -> String {
     let entry = mapped.address.and_then(|address| context.device.entry(address));
-    entry.map_or(String::new(), |entry| context.unit(entry, pdo.axis))
+    entry.map_or(String::new(), |entry| context.unit(entry))
 }
 
 /// The value of the mapping object's entry: index, subindex and width in bits.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
-use crate::emit::markdown::inline::{code, sentence, small, text};
+use crate::emit::markdown::inline::{code, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Parameter, Procedure, Step, ValueRange};
 
@@ -59,7 +59,7 @@ fn master_settings(context: &Context<'_>) -> Table {
             context.prose(&setting.value),
             if setting.per_axis { "each axis".into() } else { String::new() },
             context.optional(setting.about.as_deref()),
-            small(&context.source(setting.source.as_ref())),
+            context.source(setting.source.as_ref()),
         ]
     })
 }
@@ -72,7 +72,7 @@ fn parameters(context: &Context<'_>) -> Table {
             format!("**{}**", text(&parameter.name)),
             parameter.default.as_ref().map_or(String::new(), code),
             effect(context, parameter),
-            small(&context.source(parameter.source.as_ref())),
+            context.source(parameter.source.as_ref()),
         ]
     })
 }
@@ -100,13 +100,13 @@ fn procedure_view(context: &Context<'_>, procedure: &Procedure) -> ProcedureView
         name: text(&procedure.name),
         about: context.paragraphs(procedure.about.as_deref()),
         steps: procedure.steps.iter().map(|one| step(context, one)).collect(),
-        source: small(&context.source(procedure.source.as_ref())),
+        source: context.source_line(procedure.source.as_ref()),
     }
 }
 
 fn step(context: &Context<'_>, step: &Step) -> String {
     let text = sentence(&context.prose(&step.text));
-    let place = step.address.map(|address| context.whole(address));
+    let place = step.address.map(|address| context.named(address));
     match (place, &step.write) {
         (Some(place), Some(value)) => format!("{text} Write {} to {place}.", code(value)),
         (Some(place), None) => format!("{text} See {place}."),

@@ -4,13 +4,12 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{anchor, code, sentence, small, text};
+use crate::emit::markdown::inline::{anchor, code, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Erratum, RemarkKind};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
-    main: String,
     documents: Table,
     errata: Vec<ErratumView>,
     remarks: Table,
@@ -37,7 +36,6 @@ impl Chapter for View {
         let lists =
             [device.documents.len(), device.errata.len(), device.remarks.len(), device.assumptions.len()];
         (lists.iter().sum::<usize>() > 0).then(|| Self {
-            main: device.documents.first().map_or(String::new(), |document| text(&document.title)),
             documents: documents(context),
             errata: device.errata.iter().map(|erratum| erratum_view(context, erratum)).collect(),
             remarks: remarks(context),
@@ -67,17 +65,17 @@ fn erratum_view(context: &Context<'_>, erratum: &Erratum) -> ErratumView {
         holds: sentence(&context.prose(&erratum.holds)),
         why: sentence(&context.prose(&erratum.why)),
         rule: code(&erratum.rule),
-        source: small(&context.source(erratum.source.as_ref())),
+        source: context.source_line(erratum.source.as_ref()),
     }
 }
 
 fn remarks(context: &Context<'_>) -> Table {
-    Table::of(["About", "Kind", "What there is to know", "Source"], &context.device.remarks, |remark| {
+    Table::of(["About", "Kind", "Notes", "Source"], &context.device.remarks, |remark| {
         [
             context.prose(&remark.at),
             kind(remark.kind).into(),
             context.prose(&remark.text),
-            small(&context.source(remark.source.as_ref())),
+            context.source(remark.source.as_ref()),
         ]
     })
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{code, list, small, text};
+use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Answer, Command, Pattern, Scope, State, Transition};
 
@@ -51,7 +51,7 @@ fn states(context: &Context<'_>) -> Table {
             hex(Pattern::mask),
             hex(Pattern::value),
             state_meaning(context, state),
-            small(&context.source(state.source.as_ref())),
+            context.source(state.source.as_ref()),
         ]
     })
 }
@@ -108,7 +108,7 @@ fn commands(context: &Context<'_>) -> Table {
             list(command.transitions.iter().map(u8::to_string)),
             context.optional(command.about.as_deref()),
             list(command.ignored_in.iter().map(|id| context.state(id))),
-            small(&context.source(command.source.as_ref())),
+            context.source(command.source.as_ref()),
         ]
     })
 }
@@ -124,7 +124,7 @@ fn transitions(context: &Context<'_>) -> Table {
             scope(transition.axes).into(),
             transition.power.as_deref().map_or(String::new(), text),
             effect(context, transition),
-            small(&context.source(transition.source.as_ref())),
+            context.source(transition.source.as_ref()),
         ]
     })
 }
@@ -145,12 +145,12 @@ fn scope(axes: Option<Scope>) -> &'static str {
     }
 }
 
+/// The command or the bits that make the drive make a transition.
 fn cause(context: &Context<'_>, transition: &Transition) -> String {
     let commands = context.commands(transition.number).map(text);
     let pattern = transition.pattern.iter().map(code);
     let automatic = transition.automatic.then(|| "*automatic*".into());
-    let causes = transition.causes.iter().map(|cause| context.prose(cause));
-    commands.chain(pattern).chain(automatic).chain(causes).collect::<Vec<_>>().join("<br>")
+    commands.chain(pattern).chain(automatic).collect::<Vec<_>>().join("<br>")
 }
 
 fn effect(context: &Context<'_>, transition: &Transition) -> String {
@@ -158,5 +158,6 @@ fn effect(context: &Context<'_>, transition: &Transition) -> String {
     let about = transition.about.iter().map(|about| context.prose(about));
     let conditions =
         transition.conditions.iter().map(|condition| format!("waits for: {}", context.prose(condition)));
-    refused.into_iter().chain(about).chain(conditions).collect::<Vec<_>>().join("<br>")
+    let causes = transition.causes.iter().map(|cause| format!("set off by: {}", context.prose(cause)));
+    refused.into_iter().chain(about).chain(conditions).chain(causes).collect::<Vec<_>>().join("<br>")
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{list, small};
+use crate::emit::markdown::inline::list;
 use crate::emit::markdown::table::Table;
 
 #[derive(Serialize)]
@@ -18,14 +18,7 @@ impl Chapter for View {
     const TEMPLATE: &'static str = include_str!("../templates/stopping.md.j2");
 
     fn view(context: &Context<'_>) -> Option<Self> {
-        let titles = [
-            "What happens",
-            "Transitions",
-            "Reaction",
-            "How it slows down",
-            "What there is to know",
-            "Source",
-        ];
+        let titles = ["What happens", "Transitions", "Reaction", "How it slows down", "Notes", "Source"];
         let options = Table::of(titles, &context.device.stop_options, |option| {
             [
                 context.prose(&option.action),
@@ -33,7 +26,7 @@ impl Chapter for View {
                 context.prose(&option.reaction),
                 context.optional(option.ramp.as_deref()),
                 context.optional(option.about.as_deref()),
-                small(&context.source(option.source.as_ref())),
+                context.source(option.source.as_ref()),
             ]
         });
         (!options.is_empty()).then_some(Self { options })

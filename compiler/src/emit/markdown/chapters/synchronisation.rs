@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{code, list, small, text};
+use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::duration;
 use crate::emit::markdown::table::Table;
 use crate::model::{DeadTime, SyncMode, SyncSignal};
@@ -41,7 +41,7 @@ impl Chapter for View {
 }
 
 fn modes(context: &Context<'_>) -> Table {
-    let titles = ["Mode", "AssignActivate", "SYNC0", "SYNC1", "What there is to know", "Source"];
+    let titles = ["Mode", "AssignActivate", "SYNC0", "SYNC1", "Notes", "Source"];
     Table::of(titles, &context.device.sync_modes, |mode| {
         [
             name(mode),
@@ -49,7 +49,7 @@ fn modes(context: &Context<'_>) -> Table {
             mode.sync0.as_ref().map_or(String::new(), signal),
             mode.sync1.as_ref().map_or(String::new(), signal),
             context.optional(mode.about.as_deref()),
-            small(&context.source(mode.source.as_ref())),
+            context.source(mode.source.as_ref()),
         ]
     })
 }
@@ -70,14 +70,14 @@ fn signal(signal: &SyncSignal) -> String {
 }
 
 fn cycle_times(context: &Context<'_>) -> Table {
-    let titles = ["Cycle time", "At least", "To choose from", "What there is to know", "Source"];
+    let titles = ["Cycle time", "At least", "To choose from", "Notes", "Source"];
     Table::of(titles, &context.device.cycle_times, |time| {
         [
             text(&time.name),
             time.min_ns.map_or(String::new(), duration),
             list(time.choices_ns.iter().map(|ns| duration(*ns))),
             context.optional(time.about.as_deref()),
-            small(&context.source(time.source.as_ref())),
+            context.source(time.source.as_ref()),
         ]
     })
 }
@@ -90,6 +90,6 @@ fn dead_time_view(context: &Context<'_>, dead_time: &DeadTime) -> DeadTimeView {
             let total = u64::from(dead_time.cycles) * cycle + dead_time.plus_ns;
             [duration(cycle), format!("**{}**", duration(total))]
         }),
-        source: small(&context.source(dead_time.source.as_ref())),
+        source: context.source_line(dead_time.source.as_ref()),
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{anchor, small, text};
+use crate::emit::markdown::inline::{anchor, text};
 use crate::emit::markdown::number::{decimal, fraction, grouped};
 use crate::emit::markdown::table::Table;
 use crate::model::{AxisUnit, Path, Scale, Unit};
@@ -25,10 +25,10 @@ impl Chapter for View {
             "Travels in",
             "Axes",
             "Unit",
-            "One unit is",
+            "Raw per unit",
             "Example",
             "Factor",
-            "What there is to know",
+            "Notes",
             "Source",
         ];
         let mut units = Table::new(titles);
@@ -61,13 +61,13 @@ fn row(context: &Context<'_>, unit: &Unit, first: bool, axes: &[u8], on_axis: &A
     [
         once(format!("{}**{}**", anchor(context.id(&format!("unit-{}", unit.id))), text(&unit.quantity))),
         once(path(unit.path).into()),
-        if axes.is_empty() { String::new() } else { context.axes(axes) },
+        if axes.is_empty() { String::new() } else { context.axis_range(axes) },
         text(&on_axis.symbol),
         on_axis.scale.map_or_else(|| "1".into(), one_unit),
         on_axis.scale.map_or(String::new(), |scale| example(scale, &on_axis.symbol)),
         once(unit.factor.map_or(String::new(), |address| context.address(address))),
         once(context.optional(unit.about.as_deref())),
-        once(small(&context.source(unit.source.as_ref()))),
+        context.source(unit.source.as_ref()),
     ]
 }
 

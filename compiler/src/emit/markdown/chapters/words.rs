@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::document::{Chapter, Section};
-use crate::emit::markdown::inline::{code, link, small, text};
+use crate::emit::markdown::inline::{code, link, text};
 use crate::emit::markdown::number::width;
 use crate::emit::markdown::table::Table;
 use crate::model::{Field, Meaning, Word};
@@ -26,7 +26,7 @@ struct WordView {
 
 impl Chapter for View {
     const ID: &'static str = "words";
-    const TITLE: &'static str = "Control and status words";
+    const TITLE: &'static str = "Words";
     const TEMPLATE: &'static str = include_str!("../templates/words.md.j2");
 
     fn view(context: &Context<'_>) -> Option<Self> {
@@ -46,20 +46,32 @@ fn word_view(context: &Context<'_>, word: &Word) -> WordView {
         name: text(&word.name),
         facts: format!("The {} of {}.", width(word.bits), context.named(word.address)),
         about: context.paragraphs(word.about.as_deref()),
-        fields: Table::of(["Bit", "Name", "Meaning"], &word.fields, |field| {
-            [bits(field), name(field), meaning(context, word, field)]
-        }),
-        source: small(&context.source(word.source.as_ref())),
+        fields: table("Bit", &word.fields, |field| meaning(context, word, field)),
+        source: context.source_line(word.source.as_ref()),
     }
 }
 
-/// The bits of a field: `3`, `4–6`.
-pub(super) fn bits(field: &Field) -> String {
-    if field.low == field.high { field.low.to_string() } else { format!("{}–{}", field.low, field.high) }
+/// A table of fields. Neighbours that are reserved without another word share a row.
+pub(super) fn table(title: &str, fields: &[Field], meaning: impl Fn(&Field) -> String) -> Table {
+    let rows = fields.iter().map(|field| (field, meaning(field))).collect::<Vec<_>>();
+    let silent = |(field, meaning): &(&Field, String)| field.reserved && meaning.is_empty();
+    let runs = rows.chunk_by(|one, next| silent(one) && silent(next) && one.0.high + 1 == next.0.low);
+    let mut table = Table::new([title, "Name", "Meaning"]);
+    for run in runs {
+        if let ([(first, meaning), ..], [.., (last, _)]) = (run, run) {
+            table.row([bits(first.low, last.high), name(first), meaning.clone()]);
+        }
+    }
+    table
+}
+
+/// Bits: `3`, `4–6`.
+fn bits(low: u8, high: u8) -> String {
+    if low == high { low.to_string() } else { format!("{low}–{high}") }
 }
 
 /// The name of a field, quiet where it has no meaning.
-pub(super) fn name(field: &Field) -> String {
+fn name(field: &Field) -> String {
     if field.reserved { format!("*{}*", text(&field.name)) } else { format!("**{}**", text(&field.name)) }
 }
 

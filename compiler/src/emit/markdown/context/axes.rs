@@ -14,8 +14,17 @@ impl<'a> Context<'a> {
         self.device.axes.iter().map(|axis| axis.name.as_str())
     }
 
-    /// Axes by name: `all`, `X`, `Y to W`, `X, Z`.
+    /// Axes in running text: `all axes`, `axis X`, `axes Y to W`.
     pub(in crate::emit::markdown) fn axes(&self, numbers: &[u8]) -> String {
+        match numbers {
+            _ if numbers.len() == self.device.axes.len() => "all axes".into(),
+            [_] => format!("axis {}", self.axis_range(numbers)),
+            _ => format!("axes {}", self.axis_range(numbers)),
+        }
+    }
+
+    /// Axes by name: `X`, `Y to W`, `X, Z`.
+    pub(in crate::emit::markdown) fn axis_range(&self, numbers: &[u8]) -> String {
         let name =
             |number: &u8| self.device.axes.get(usize::from(*number)).map_or("?", |axis| axis.name.as_str());
         let row = numbers
@@ -23,12 +32,8 @@ impl<'a> Context<'a> {
             .zip(numbers.iter().skip(1))
             .all(|(one, next)| u16::from(*one) + 1 == u16::from(*next));
         match numbers {
-            _ if numbers.len() == self.device.axes.len() => "all axes".into(),
-            [only] => format!("axis {}", name(only)),
-            [first, .., last] if row && numbers.len() > 2 => {
-                format!("axes {} to {}", name(first), name(last))
-            }
-            _ => format!("axes {}", numbers.iter().map(name).collect::<Vec<_>>().join(", ")),
+            [first, .., last] if row && numbers.len() > 2 => format!("{} to {}", name(first), name(last)),
+            _ => numbers.iter().map(name).collect::<Vec<_>>().join(", "),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Running text: escaped, and every index in it linked.
+//! Running text: escaped, with every index in it linked, and what stands between backticks as it is typed.
 
 use super::Context;
 use crate::emit::markdown::inline::{code, text};
@@ -8,16 +8,13 @@ impl Context<'_> {
     /// Text on one line.
     pub(in crate::emit::markdown) fn prose(&self, plain: &str) -> String {
         let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
-        let mut out = String::new();
-        let mut rest = plain.as_str();
-        while let Some((before, after)) = rest.split_once("0x") {
-            let number = Number::read(after);
-            out.push_str(&keep_spaces(before));
-            out.push_str(&self.number(&number));
-            rest = number.rest;
+        if !plain.matches('`').count().is_multiple_of(2) {
+            return self.words(&plain);
         }
-        out.push_str(&keep_spaces(rest));
-        out
+        let parts = plain.split('`').enumerate();
+        parts
+            .map(|(place, part)| if place.is_multiple_of(2) { self.words(part) } else { self.typed(part) })
+            .collect()
     }
 
     /// Text on one line, if there is any.
@@ -31,6 +28,25 @@ impl Context<'_> {
         paragraphs.collect::<Vec<_>>().join("\n\n")
     }
 
+    /// What is to be typed; an index alone is a link here, too.
+    fn typed(&self, plain: &str) -> String {
+        let number = plain.strip_prefix("0x").map(Number::read).filter(|number| number.rest.is_empty());
+        number.map_or_else(|| code(plain), |number| self.number(&number))
+    }
+
+    fn words(&self, plain: &str) -> String {
+        let mut out = String::new();
+        let mut rest = plain;
+        while let Some((before, after)) = rest.split_once("0x") {
+            let number = Number::read(after);
+            out.push_str(&keep_spaces(before));
+            out.push_str(&self.number(&number));
+            rest = number.rest;
+        }
+        out.push_str(&keep_spaces(rest));
+        out
+    }
+
     fn number(&self, number: &Number<'_>) -> String {
         let index = (number.digits.len() == 4).then(|| u16::from_str_radix(number.digits, 16).ok()).flatten();
         let subindex = number.subindex.and_then(|digits| u8::from_str_radix(digits, 16).ok());
@@ -38,7 +54,7 @@ impl Context<'_> {
             (Some(index), Some(subindex)) => self.linked(index, &code(Address { index, subindex })),
             (Some(index), None) => self.index(index),
             (None, _) if number.digits.is_empty() => "0x".into(),
-            (None, _) => format!("`0x{}`", number.digits),
+            (None, _) => code(format!("0x{}", number.digits)),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! The areas of the dictionary: those that the description names, and those of the standard for the rest.
 
+use std::collections::BTreeMap;
+
 use crate::emit::markdown::context::Context;
-use crate::model::{Index, Object};
+use crate::model::{Index, Object, Source};
 
 /// An area with what is in it.
 pub(super) struct Contents<'a> {
@@ -9,6 +11,18 @@ pub(super) struct Contents<'a> {
     pub(super) name: &'a str,
     pub(super) about: Option<&'a str>,
     pub(super) objects: Vec<&'a Object>,
+}
+
+impl<'a> Contents<'a> {
+    /// Where most of its objects are from, if it is more than one.
+    pub(super) fn common_source(&self) -> Option<&'a Source> {
+        let mut counts: BTreeMap<(Option<&str>, &str), (usize, &'a Source)> = BTreeMap::new();
+        for source in self.objects.iter().filter_map(|object| object.source.as_ref()) {
+            counts.entry((source.document.as_deref(), &source.place)).or_insert((0, source)).0 += 1;
+        }
+        let (count, source) = counts.into_values().max_by_key(|(count, _)| *count)?;
+        (count > 1).then_some(source)
+    }
 }
 
 /// The parts of the dictionary by CiA 301 and ETG.1000.6.

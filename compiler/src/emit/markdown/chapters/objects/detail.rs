@@ -4,18 +4,25 @@ use serde::Serialize;
 
 use super::{is_mapping, overview, per_axis};
 use crate::emit::markdown::context::{Context, is_single};
-use crate::emit::markdown::inline::{code, link, list, sentence, small, text};
+use crate::emit::markdown::inline::{anchor, code, link, list, sentence, small, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Entry, Object, Source, Trigger};
+use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
 
-/// An object with more to say.
+/// What there is to say of an object.
+pub(super) enum Detail {
+    /// No more than a paragraph.
+    Brief(String),
+    /// Entries or values of their own.
+    Full(ObjectView),
+}
+
+/// An object with entries or values to be explained.
 #[derive(Serialize)]
 pub(super) struct ObjectView {
     anchor: String,
     index: String,
     name: String,
     about: String,
-    facts: Vec<String>,
     entries: Vec<String>,
     values: Vec<ValuesView>,
     source: String,
@@ -28,63 +35,59 @@ struct ValuesView {
     table: Table,
 }
 
-/// What there is to say of an object, if there is anything.
-pub(super) fn detail(context: &Context<'_>, object: &Object) -> Option<ObjectView> {
+/// What there is to say of an object, if there is anything; its source unless it is that of the whole area.
+pub(super) fn detail(context: &Context<'_>, object: &Object, common: Option<&Source>) -> Option<Detail> {
     if is_mapping(context, object) {
         return None;
     }
-    let view = ObjectView {
-        anchor: context.object_id(object),
-        index: code(object.index),
-        name: text(&object.name),
-        about: context.paragraphs(object.about.as_deref()),
-        facts: facts(context, object),
-        entries: entries(context, object),
-        values: object.entries.iter().filter_map(|entry| values(context, object, entry)).collect(),
-        source: small(&context.source(object.source.as_ref())),
-    };
-    let silent =
-        view.about.is_empty() && view.facts.is_empty() && view.entries.is_empty() && view.values.is_empty();
-    (!silent).then_some(view)
-}
-
-fn facts(context: &Context<'_>, object: &Object) -> Vec<String> {
-    let mut facts = Vec::new();
-    facts.extend((!object.functional).then(|| NO_FUNCTION.into()));
-    facts.extend(object.note.iter().map(|note| sentence(&context.prose(note))));
-    facts.extend(
-        object.parameter.iter().map(|parameter| format!("The vendor's parameter {}.", text(parameter))),
-    );
-    if let ([only], true) = (object.entries.as_slice(), is_single(object)) {
-        facts.extend(statements(context, only).into_iter().filter(|fact| !told(context, object, fact)));
+    let about = statements(context, object).join(" ");
+    let entries = entries(context, object);
+    let values: Vec<ValuesView> =
+        object.entries.iter().filter_map(|entry| values(context, object, entry)).collect();
+    let source = context.source_line(object.source.as_ref().filter(|source| Some(*source) != common));
+    let (index, name) = (code(object.index), text(&object.name));
+    let id = context.object_id(object);
+    match (about.is_empty(), entries.is_empty() && values.is_empty()) {
+        (true, true) => None,
+        (false, true) => Some(Detail::Brief(
+            format!("{}{index} **{name}**: {about} {source}", anchor(id)).trim_end().into(),
+        )),
+        (_, false) => {
+            Some(Detail::Full(ObjectView { anchor: id, index, name, about, entries, values, source }))
+        }
     }
-    facts.dedup();
-    facts.extend(uses(context, object));
-    facts.extend(per_axis::differences(context, object));
-    facts
 }
 
-/// Whether a statement of the only entry was made of the object already.
-fn told(context: &Context<'_>, object: &Object, fact: &str) -> bool {
-    let about = object.about.as_deref().map(|about| sentence(&context.prose(about)));
-    let note = object.note.as_deref().map(|note| sentence(&context.prose(note)));
-    let parameter =
-        object.parameter.as_deref().map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
-    let functional = (!object.functional).then(|| NO_FUNCTION.to_owned());
-    [about, note, parameter, functional].into_iter().flatten().any(|one| one == fact)
+/// What is to be said of an object, a sentence each.
+fn statements(context: &Context<'_>, object: &Object) -> Vec<String> {
+    let mut statements = Facts::of_object(object).sentences(context);
+    if let ([only], true) = (object.entries.as_slice(), is_single(object)) {
+        statements.extend(Facts::of_entry(only).sentences(context));
+        statements.extend(only.trigger.iter().map(|trigger| trigger_text(context, only, trigger)));
+    }
+    statements.extend(uses(context, object));
+    statements.extend(per_axis::differences(context, object));
+    let mut told: Vec<String> = Vec::new();
+    statements.into_iter().for_each(|one| {
+        if !told.contains(&one) {
+            told.push(one);
+        }
+    });
+    told
 }
 
-const NO_FUNCTION: &str = "It exists for compatibility only and has no function.";
-
-/// A line for each entry that has something to say.
+/// A line for each entry that has something to say which the object has not said.
 fn entries(context: &Context<'_>, object: &Object) -> Vec<String> {
     if is_single(object) {
         return Vec::new();
     }
+    let told = Facts::of_object(object).sentences(context);
     let spoken = object.entries.iter().filter_map(|entry| {
-        let mut statements = statements(context, entry);
-        statements.retain(|fact| !told(context, object, fact));
-        statements.extend(source(context, entry.source.as_ref(), object.source.as_ref()));
+        let mut statements = Facts::of_entry(entry).sentences(context);
+        statements.retain(|one| !told.contains(one));
+        statements.extend(entry.trigger.iter().map(|trigger| trigger_text(context, entry, trigger)));
+        let own = entry.source.as_ref().filter(|own| Some(*own) != object.source.as_ref());
+        statements.extend(own.map(|own| small(&context.source(Some(own)))));
         let subindex = code(format!(":{:02X}", entry.address.subindex));
         (!statements.is_empty())
             .then(|| format!("{subindex} **{}**: {}", text(&entry.name), statements.join(" ")))
@@ -92,39 +95,58 @@ fn entries(context: &Context<'_>, object: &Object) -> Vec<String> {
     spoken.collect()
 }
 
-fn source(context: &Context<'_>, own: Option<&Source>, objects: Option<&Source>) -> Option<String> {
-    own.filter(|own| Some(*own) != objects).map(|own| small(&context.source(Some(own))))
+/// What objects and entries both can say.
+struct Facts<'a> {
+    about: Option<&'a str>,
+    note: Option<&'a str>,
+    functional: bool,
+    parameter: Option<&'a str>,
 }
 
-/// What is to be said of an entry, a sentence each.
-fn statements(context: &Context<'_>, entry: &Entry) -> Vec<String> {
-    let functional = (!entry.functional).then(|| NO_FUNCTION.into());
-    let about = entry.about.iter().map(|about| sentence(&context.prose(about)));
-    let note = entry.note.iter().map(|note| sentence(&context.prose(note)));
-    let parameter =
-        entry.parameter.iter().map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
-    let written = entry.written.iter().map(|change| format!("To be written during {}.", code(change)));
-    let trigger = entry.trigger.iter().map(|trigger| trigger_text(context, entry, trigger));
-    functional.into_iter().chain(about).chain(note).chain(parameter).chain(written).chain(trigger).collect()
+impl<'a> Facts<'a> {
+    fn of_object(object: &'a Object) -> Self {
+        let Object { about, note, functional, parameter, .. } = object;
+        Self {
+            about: about.as_deref(),
+            note: note.as_deref(),
+            functional: *functional,
+            parameter: parameter.as_deref(),
+        }
+    }
+
+    fn of_entry(entry: &'a Entry) -> Self {
+        let Entry { about, note, functional, parameter, .. } = entry;
+        Self {
+            about: about.as_deref(),
+            note: note.as_deref(),
+            functional: *functional,
+            parameter: parameter.as_deref(),
+        }
+    }
+
+    fn sentences(&self, context: &Context<'_>) -> Vec<String> {
+        let functional =
+            (!self.functional).then(|| "It is there for compatibility only and does nothing.".into());
+        let about = self.about.map(|about| sentence(&context.prose(about)));
+        let note = self.note.map(|note| sentence(&context.prose(note)));
+        let parameter =
+            self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
+        [functional, about, note, parameter].into_iter().flatten().collect()
+    }
 }
 
 fn trigger_text(context: &Context<'_>, entry: &Entry, trigger: &Trigger) -> String {
+    let named = |addresses: &[_]| list(addresses.iter().map(|address| context.named(*address)));
     let mut text =
         format!("Writing {}: {}", context.value(entry, &trigger.value), context.prose(&trigger.action));
     if let Some(mode) = trigger.mode {
-        text.push_str(&format!("; needs mode {}", context.mode(mode)));
+        text.push_str(&format!("; only in mode {}", context.mode(mode)));
     }
     if !trigger.uses.is_empty() {
-        text.push_str(&format!(
-            "; takes {}",
-            list(trigger.uses.iter().map(|address| context.whole(*address)))
-        ));
+        text.push_str(&format!("; it takes {}", named(&trigger.uses)));
     }
     if !trigger.updates.is_empty() {
-        text.push_str(&format!(
-            "; changes {}",
-            list(trigger.updates.iter().map(|address| context.whole(*address)))
-        ));
+        text.push_str(&format!("; it changes {}", named(&trigger.updates)));
     }
     sentence(&text)
 }
@@ -134,18 +156,15 @@ fn uses(context: &Context<'_>, object: &Object) -> Vec<String> {
     let device = context.device;
     let words = device.words.iter().filter(|word| word.address.index == object.index);
     let words = list(words.map(|word| link(text(&word.name), context.word_id(&word.id))));
-    let maps = |pdo: &&crate::model::Pdo| {
+    let maps = |pdo: &&Pdo| {
         pdo.entries.iter().any(|mapped| mapped.address.is_some_and(|address| address.index == object.index))
     };
     let pdos = list(context.leading_pdos().filter(maps).map(|pdo| context.index(pdo.index)));
-    let uses = |mode: &&crate::model::Mode| mode.objects.iter().any(|address| address.index == object.index);
-    let modes = list(device.modes.iter().filter(uses).map(|mode| context.mode(mode.code)));
-    let lines = [("Bits", words), ("In process data", pdos), ("Used by mode", modes)];
-    lines
-        .into_iter()
-        .filter(|(_, what)| !what.is_empty())
-        .map(|(title, what)| format!("{title}: {what}"))
-        .collect()
+    let uses = |mode: &&Mode| mode.objects.iter().any(|address| address.index == object.index);
+    let modes = list(device.modes.iter().filter(uses).map(|mode| context.mode_code(mode.code)));
+    let lines = [("Bits: see", words), ("Mapped in", pdos), ("Used by mode", modes)];
+    let lines = lines.into_iter().filter(|(_, what)| !what.is_empty());
+    lines.map(|(title, what)| format!("{title} {what}.")).collect()
 }
 
 fn values(context: &Context<'_>, object: &Object, entry: &Entry) -> Option<ValuesView> {
@@ -153,8 +172,9 @@ fn values(context: &Context<'_>, object: &Object, entry: &Entry) -> Option<Value
         let about = context.optional(meaning.about.as_deref());
         [context.number_of(entry, meaning.value.into()), text(&meaning.name), about]
     });
+    let subindex = code(format!(":{:02X}", entry.address.subindex));
     let caption =
-        if is_single(object) { String::new() } else { format!("{}:", context.named(entry.address)) };
+        if is_single(object) { String::new() } else { format!("{subindex} **{}**:", text(&entry.name)) };
     let hidden = overview::is_count(object, entry) || table.is_empty();
     (!hidden).then_some(ValuesView { caption, table })
 }

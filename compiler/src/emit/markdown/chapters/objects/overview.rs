@@ -1,27 +1,76 @@
 //! The table of an area: a line for each value.
 
-use super::{detail, is_mapping};
+use super::is_mapping;
 use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Access, DataType, Entry, Kind, Mappable, Object, Value};
 
-/// The table of these objects. Subindex 0 of a record has a line only if it is not simply the highest
-/// subindex, and a mapping object has no lines for its entries.
-pub(super) fn table(context: &Context<'_>, objects: &[&Object]) -> Table {
-    let mut table = Table::new(["Index", "Name", "Type", "Access", "PDO", "Default", "Unit", "Range"]);
-    for object in objects {
+/// The table as it grows. Subindex 0 of a record has a line only if it is not simply the highest subindex,
+/// and a mapping object has no lines for its entries.
+pub(super) struct Lines<'c, 'a> {
+    context: &'c Context<'a>,
+    pub(super) table: Table,
+}
+
+impl<'c, 'a> Lines<'c, 'a> {
+    /// No lines yet.
+    pub(super) fn new(context: &'c Context<'a>) -> Self {
+        let titles = ["Index", "Name", "Type", "Access", "PDO", "Default", "Unit", "Range", "Written in"];
+        Self { context, table: Table::new(titles) }
+    }
+
+    /// Adds the lines of an object, linked to what else there is to say of it if it is `described`.
+    pub(super) fn object(&mut self, object: &Object, described: bool) {
+        let index = self.index(object, described);
+        let name = format!("**{}**", text(&object.name));
         match object.entries.as_slice() {
-            [only] if is_single(object) => table.row(single(context, object, only)),
+            [only] if is_single(object) => self.line([index, name], facts(self.context, only)),
             entries => {
-                table.row(head(context, object));
-                let shown =
-                    entries.iter().filter(|entry| !is_mapping(context, object) && !is_count(object, entry));
-                shown.for_each(|entry| table.row(nested(context, object, entry)));
+                let mut head: [String; 7] = Default::default();
+                head[0] = kind(object.kind).into();
+                self.line([index, name], head);
+                let shown = |entry: &&Entry| !is_mapping(self.context, object) && !is_count(object, entry);
+                for entry in entries.iter().filter(shown).collect::<Vec<_>>() {
+                    let subindex = format!("&emsp;{}", code(format!(":{:02X}", entry.address.subindex)));
+                    self.line([subindex, text(&entry.name)], facts(self.context, entry));
+                }
             }
         }
     }
-    table
+
+    fn line(&mut self, name: [String; 2], facts: [String; 7]) {
+        self.table.row(name.into_iter().chain(facts));
+    }
+
+    fn index(&self, object: &Object, described: bool) -> String {
+        let (context, label) = (self.context, code(object.index));
+        match described {
+            _ if is_mapping(context, object) => context.index(object.index),
+            true => link(label, context.object_id(object)),
+            false => format!("{}{label}", anchor(context.object_id(object))),
+        }
+    }
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Var => "",
+        Kind::Array => "*array*",
+        Kind::Record => "*record*",
+    }
+}
+
+fn facts(context: &Context<'_>, entry: &Entry) -> [String; 7] {
+    [
+        entry.data_type.to_string(),
+        access(entry.access).into(),
+        mappable(entry.pdo).into(),
+        context.default(entry),
+        context.unit(entry),
+        context.range(entry),
+        entry.written.as_ref().map_or(String::new(), code),
+    ]
 }
 
 /// Whether an entry is subindex 0 as it is in every record: the highest subindex, for reading.
@@ -29,54 +78,6 @@ pub(super) fn is_count(object: &Object, entry: &Entry) -> bool {
     let plain = entry.data_type == DataType::Uint(8) && !entry.access.writable();
     let highest = entry.default == Some(Value::Integer(object.highest_subindex().into()));
     !is_single(object) && entry.address.subindex == 0 && plain && highest
-}
-
-fn single(context: &Context<'_>, object: &Object, entry: &Entry) -> [String; 8] {
-    let [data_type, access, pdo, default, unit, range] = facts(context, object, entry);
-    [index(context, object), strong(&object.name), data_type, access, pdo, default, unit, range]
-}
-
-fn head(context: &Context<'_>, object: &Object) -> [String; 8] {
-    let kind = match object.kind {
-        Kind::Var => "",
-        Kind::Array => "*array*",
-        Kind::Record => "*record*",
-    };
-    let empty = String::new;
-    [index(context, object), strong(&object.name), kind.into(), empty(), empty(), empty(), empty(), empty()]
-}
-
-fn nested(context: &Context<'_>, object: &Object, entry: &Entry) -> [String; 8] {
-    let [data_type, access, pdo, default, unit, range] = facts(context, object, entry);
-    let subindex = format!("&emsp;{}", code(format!(":{:02X}", entry.address.subindex)));
-    [subindex, text(&entry.name), data_type, access, pdo, default, unit, range]
-}
-
-fn facts(context: &Context<'_>, object: &Object, entry: &Entry) -> [String; 6] {
-    [
-        entry.data_type.to_string(),
-        access(entry.access).into(),
-        mappable(entry.pdo).into(),
-        context.default(entry),
-        context.unit(entry, object.axis),
-        context.range(entry),
-    ]
-}
-
-/// The index, as a link to what else there is to say or as the place that links lead to.
-fn index(context: &Context<'_>, object: &Object) -> String {
-    let label = code(object.index);
-    if is_mapping(context, object) {
-        return context.index(object.index);
-    }
-    match detail::detail(context, object) {
-        Some(_) => link(label, context.object_id(object)),
-        None => format!("{}{label}", anchor(context.object_id(object))),
-    }
-}
-
-fn strong(name: &str) -> String {
-    format!("**{}**", text(name))
 }
 
 /// The access as people abbreviate it.

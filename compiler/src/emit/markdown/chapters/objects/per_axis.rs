@@ -1,17 +1,18 @@
 //! What the axes do not share: the indices, and what differs from the first axis.
 
+use super::is_mapping;
 use super::overview::{access, mappable};
 use crate::emit::markdown::context::{Context, is_single};
-use crate::emit::markdown::inline::{code, link, text};
+use crate::emit::markdown::inline::{code, link, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Entry, Object};
 
 /// The index of each object on each axis.
 pub(super) fn indices(context: &Context<'_>, objects: &[&Object]) -> Table {
-    let names = context.axis_names().map(text);
+    let names = context.axis_names().map(|name| format!("Axis {}", text(name)));
     let mut table = Table::new([String::from("Object")].into_iter().chain(names));
-    let own = objects.iter().filter(|object| context.has_axes() && object.axis.is_some());
-    for object in own {
+    let own = |object: &&&Object| object.axis.is_some() && !is_mapping(context, object);
+    for object in objects.iter().filter(|_| context.has_axes()).filter(own) {
         let name = link(text(&object.name), context.object_id(object));
         let places = context.on_axes(object).into_iter();
         let places = places.map(|place| place.map_or_else(|| "–".into(), |object| code(object.index)));
@@ -20,7 +21,7 @@ pub(super) fn indices(context: &Context<'_>, objects: &[&Object]) -> Table {
     table
 }
 
-/// What differs from the first axis, a line for all axes that differ alike.
+/// What differs from the first axis, a sentence for all axes that differ alike.
 pub(super) fn differences(context: &Context<'_>, leading: &Object) -> Vec<String> {
     if leading.axis.is_none() {
         return Vec::new();
@@ -35,56 +36,60 @@ pub(super) fn differences(context: &Context<'_>, leading: &Object) -> Vec<String
         }
     }
     let told = groups.into_iter().filter(|(_, text)| !text.is_empty());
-    told.map(|(axes, text)| format!("On {}: {text}", context.axes(&axes))).collect()
+    told.map(|(axes, text)| sentence(&format!("on {}: {text}", context.axes(&axes)))).collect()
 }
 
+/// What is different about an object on its axis, in words.
 fn compare(context: &Context<'_>, leading: &Object, object: &Object) -> Vec<String> {
-    let mut changes = Vec::new();
-    let changed =
-        |one: &Option<String>, other: &Option<String>| if one == other { None } else { other.clone() };
-    changes.extend((leading.name != object.name).then(|| format!("called {}", text(&object.name))));
-    changes.extend((leading.functional && !object.functional).then(|| "no function".into()));
-    changes.extend((!leading.functional && object.functional).then(|| "has a function".into()));
-    changes.extend(changed(&leading.about, &object.about).map(|about| context.prose(&about)));
-    changes.extend(changed(&leading.note, &object.note).map(|note| context.prose(&note)));
+    let single = is_single(object);
+    let mut changes = Changes::default();
+    changes.note(leading.name != object.name, || format!("called {}", text(&object.name)));
+    changes.note(leading.functional && !object.functional, || NO_FUNCTION.into());
+    changes.prose(context, &leading.about, &object.about);
+    changes.prose(context, &leading.note, &object.note);
     for entry in &object.entries {
-        let prefix = if is_single(object) {
-            String::new()
-        } else {
-            code(format!(":{:02X}", entry.address.subindex)) + " "
-        };
-        let single = is_single(object);
+        let mut own = Changes::default();
         match leading.entry(entry.address.subindex) {
-            Some(first) => changes.extend(
-                compare_entries(context, first, entry, single).iter().map(|one| format!("{prefix}{one}")),
-            ),
-            None => changes.push(format!("{prefix}{}", text(&entry.name))),
+            Some(first) => compare_entries(context, first, entry, &mut own),
+            None => own.0.push(text(&entry.name)),
+        }
+        own.0.retain(|change| !changes.0.contains(change));
+        let prefix =
+            if single { String::new() } else { code(format!(":{:02X}", entry.address.subindex)) + " " };
+        changes.0.extend(own.0.into_iter().map(|change| format!("{prefix}{change}")));
+    }
+    changes.0
+}
+
+const NO_FUNCTION: &str = "no function";
+
+fn compare_entries(context: &Context<'_>, first: &Entry, entry: &Entry, changes: &mut Changes) {
+    let renamed = entry.address.subindex > 0 && first.name != entry.name;
+    changes.note(renamed, || format!("called {}", text(&entry.name)));
+    changes.note(first.functional && !entry.functional, || NO_FUNCTION.into());
+    changes.note(first.data_type != entry.data_type, || entry.data_type.to_string());
+    changes.note(first.access != entry.access, || format!("access {}", access(entry.access)));
+    changes.note(first.pdo != entry.pdo, || format!("PDO {}", mappable(entry.pdo)));
+    changes.note(first.default != entry.default, || format!("default {}", context.default(entry)));
+    let ranges = [first, entry].map(|entry| context.range(entry));
+    changes.note(ranges[0] != ranges[1], || format!("range {}", ranges[1]));
+    changes.note(first.unit != entry.unit, || format!("unit {}", context.unit(entry)));
+    changes.prose(context, &first.about, &entry.about);
+    changes.prose(context, &first.note, &entry.note);
+}
+
+/// What is different, in words.
+#[derive(Default)]
+struct Changes(Vec<String>);
+
+impl Changes {
+    fn note(&mut self, different: bool, words: impl Fn() -> String) {
+        self.0.extend(different.then(words));
+    }
+
+    fn prose(&mut self, context: &Context<'_>, first: &Option<String>, own: &Option<String>) {
+        if first != own {
+            self.0.extend(own.iter().map(|own| context.prose(own)));
         }
     }
-    let mut told = Vec::new();
-    changes.into_iter().for_each(|change| {
-        if !told.contains(&change) {
-            told.push(change)
-        }
-    });
-    told
-}
-
-fn compare_entries(context: &Context<'_>, first: &Entry, entry: &Entry, single: bool) -> Vec<String> {
-    let mut changes = Vec::new();
-    let changed =
-        |one: &Option<String>, other: &Option<String>| if one == other { None } else { other.clone() };
-    changes.extend((!single && first.name != entry.name).then(|| format!("called {}", text(&entry.name))));
-    changes.extend((first.functional && !entry.functional).then(|| "no function".into()));
-    changes.extend((first.data_type != entry.data_type).then(|| entry.data_type.to_string()));
-    changes.extend((first.access != entry.access).then(|| format!("access {}", access(entry.access))));
-    changes.extend((first.pdo != entry.pdo).then(|| format!("PDO {}", mappable(entry.pdo))));
-    changes.extend((first.default != entry.default).then(|| format!("default {}", context.default(entry))));
-    changes.extend(
-        (context.range(first) != context.range(entry)).then(|| format!("range {}", context.range(entry))),
-    );
-    changes.extend((first.unit != entry.unit).then(|| format!("unit {}", context.unit(entry, None))));
-    changes.extend(changed(&first.about, &entry.about).map(|about| context.prose(&about)));
-    changes.extend(changed(&first.note, &entry.note).map(|note| context.prose(&note)));
-    changes
 }

@@ -1,17 +1,10 @@
 //! The state machine as a Mermaid diagram, which GitHub and many other readers draw.
 
-use std::collections::BTreeMap;
-
 use crate::model::{Device, Transition};
 
 /// The diagram; empty if there is nothing to draw. Transitions between the same states share an arrow.
 pub(super) fn diagram(device: &Device) -> String {
-    let drawn = device.transitions.iter().filter(|transition| transition.supported);
-    let mut arrows: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
-    for transition in drawn {
-        let ends = (start(transition), node(&transition.to));
-        arrows.entry(ends).or_default().push(label(device, transition));
-    }
+    let arrows = arrows(device);
     if arrows.is_empty() {
         return String::new();
     }
@@ -22,13 +15,27 @@ pub(super) fn diagram(device: &Device) -> String {
             .iter()
             .map(|state| format!("    state \"{}\" as {}", plain(&state.name), node(&state.id))),
     );
-    if arrows.keys().any(|(from, _)| from == ANY) {
+    if arrows.iter().any(|(from, ..)| from == ANY) {
         lines.push(format!("    state \"any state\" as {ANY}"));
     }
     lines.extend(
-        arrows.iter().map(|((from, to), labels)| format!("    {from} --> {to}: {}", labels.join("<br>"))),
+        arrows.iter().map(|(from, to, labels)| format!("    {from} --> {to}: {}", labels.join("<br>"))),
     );
     lines.join("\n")
+}
+
+/// The arrows in the order of their first transitions: from, to, labels.
+fn arrows(device: &Device) -> Vec<(String, String, Vec<String>)> {
+    let mut arrows: Vec<(String, String, Vec<String>)> = Vec::new();
+    for transition in device.transitions.iter().filter(|transition| transition.supported) {
+        let (from, to) = (start(transition), node(&transition.to));
+        let label = label(device, transition);
+        match arrows.iter_mut().find(|(start, end, _)| (start, end) == (&from, &to)) {
+            Some((.., labels)) => labels.push(label),
+            None => arrows.push((from, to, vec![label])),
+        }
+    }
+    arrows
 }
 
 const ANY: &str = "any_state";
