@@ -41,26 +41,28 @@ pub fn docs(rule: &Rule) -> String {
     lines.join("\n").trim().to_owned()
 }
 
-/// The reference of all rules as Markdown: a table of contents by group, then each rule by name.
+/// The reference of all rules as Markdown: for each group a table of its rules, then each of them by name.
 pub fn reference() -> String {
     let rules = all();
     let mut out = String::from(PREFACE);
     for group in Group::ALL {
-        let members: Vec<_> = rules.iter().filter(|rule| rule.group == group).collect();
+        let members: Vec<_> = rules.iter().copied().filter(|rule| rule.group == group).collect();
         if members.is_empty() {
             continue;
         }
-        let _ = write!(out, "\n## {}\n\n| rule | level | |\n|---|---|---|\n", title(group));
+        let _ = write!(out, "\n## {}\n\n| rule | level | fault |\n|---|---|---|\n", title(group));
         for rule in &members {
             let _ =
                 writeln!(out, "| [`{0}`](#{0}) | {1} | {2} |", rule.name, default_level(rule), rule.summary);
         }
-    }
-    for rule in rules {
-        let docs = docs(rule).replace("\n## ", "\n#### ");
-        let _ = write!(out, "\n### {}\n\n*{}, {}*\n\n{docs}\n", rule.name, rule.summary, default_level(rule));
+        out.extend(members.into_iter().map(section));
     }
     out
+}
+
+fn section(rule: &Rule) -> String {
+    let docs = docs(rule).replace("\n## ", "\n#### ");
+    format!("\n### {}\n\n*{}; {}*\n\n{docs}\n", rule.name, rule.summary, default_level(rule))
 }
 
 const PREFACE: &str = "\

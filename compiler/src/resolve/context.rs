@@ -2,10 +2,10 @@
 
 use std::str::FromStr;
 
-use super::names::Names;
+use super::names::{self, Names};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
-use crate::model::{Address, Axis, Document, Index, Provenance, Shift};
-use crate::source::near::near;
+use crate::model::{Address, Axis, Document, Index, Object, Provenance, Shift};
+use crate::source::near::{list, near};
 use crate::source::{Location, Origin, Sources};
 
 /// The state of resolving one device.
@@ -27,7 +27,7 @@ impl Context<'_> {
 
     /// Reports a value that cannot be read, and says what could.
     pub(super) fn invalid(&mut self, text: &str, expected: &str, at: Location) {
-        let message = format!("`{text}` is not {expected}");
+        let message = format!("`{text}` means nothing here");
         self.fault(&faults::INVALID_VALUE, message, at, &format!("expected {expected}"));
     }
 
@@ -46,15 +46,25 @@ impl Context<'_> {
             Ok(address) => Some(address),
             Err(near) => {
                 let message = format!("there is no object `{text}`");
-                let mut fault =
-                    Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
-                if let Some(near) = near {
-                    fault = fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\""));
-                }
-                self.diagnostics.push(fault);
+                let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
+                self.diagnostics.push(match (near, names::index(text.split(':').next().unwrap_or(text))) {
+                    (Some(near), _) => fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\"")),
+                    (None, Some(index)) => fault
+                        .note("an object of a profile is there once it is mentioned")
+                        .help(format!("add `[objects.{index}]` with what the profile does not say")),
+                    (None, None) => fault,
+                });
                 None
             }
         }
+    }
+
+    /// Reports that an object lacks an entry that something refers to.
+    pub(super) fn no_entry(&mut self, object: &Object, address: Address, at: Location) {
+        let message = format!("{} has no subindex {:02X}", object.index, address.subindex);
+        let label = format!("`{}` ends at {:02X}", object.id, object.highest_subindex());
+        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, label);
+        self.diagnostics.push(fault.label(object.origin.header(), "this object"));
     }
 
     /// Binds a list of references, reporting each that cannot be.
@@ -72,7 +82,11 @@ impl Context<'_> {
         let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
         fault = match near(text, known.iter().map(String::as_str)) {
             Some(near) => fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\"")),
-            None => fault.note(format!("known: {}", known.join(", "))),
+            None if known.is_empty() => fault.note(format!("the description has no {what}")),
+            None => {
+                let known: Vec<&str> = known.iter().map(String::as_str).collect();
+                fault.note(format!("known are {}", list(&known)))
+            }
         };
         self.diagnostics.push(fault);
         None

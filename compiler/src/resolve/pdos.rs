@@ -1,5 +1,7 @@
 //! PDOs on each axis, laid out bit by bit.
 
+use std::ops::RangeInclusive;
+
 use super::context::Context;
 use super::objects::sibling_id;
 use super::{facts, names};
@@ -7,6 +9,9 @@ use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Address, Direction, Index, Mapped, Object, Pdo};
 use crate::raw::{Entity, RawMapped, RawPdo};
 use crate::source::{Location, Origin};
+
+/// What a sync manager can carry: its length is a number of bytes in 16 bits.
+const MAX_BITS: u32 = u16::MAX as u32 * 8;
 
 /// The PDOs of a direction, by index.
 pub(super) fn pdos(
@@ -22,6 +27,10 @@ pub(super) fn pdos(
             context.invalid(&entity.key, expected(direction), at);
             continue;
         };
+        if let Some(fault) = beyond(context, entity, index, direction) {
+            context.diagnostics.push(fault);
+            continue;
+        }
         for (axis, index) in copies(context, entity, index) {
             pdos.push(pdo(context, entity, index, axis, direction, objects));
         }
@@ -32,10 +41,33 @@ pub(super) fn pdos(
 }
 
 fn in_range(index: Index, direction: Direction) -> bool {
+    range(direction).contains(&index.0)
+}
+
+/// The indices of the PDOs of a direction, ETG.1000.6.
+fn range(direction: Direction) -> RangeInclusive<u16> {
     match direction {
-        Direction::Rx => (0x1600..=0x17FF).contains(&index.0),
-        Direction::Tx => (0x1A00..=0x1BFF).contains(&index.0),
+        Direction::Rx => 0x1600..=0x17FF,
+        Direction::Tx => 0x1A00..=0x1BFF,
     }
+}
+
+/// Why the last axis can have no copy of a PDO, if it cannot.
+fn beyond(
+    context: &Context<'_>,
+    entity: &Entity<RawPdo>,
+    index: Index,
+    direction: Direction,
+) -> Option<Diagnostic> {
+    let others = context.axes.last().filter(|_| entity.raw.per_axis)?.number;
+    let last = u32::from(index.0) + u32::from(context.pdo_shift) * u32::from(others);
+    let end = *range(direction).end();
+    (last > u32::from(end)).then(|| {
+        let message = format!("PDO {index} would be 0x{last:X} on the last axis");
+        let label = format!("PDOs of this direction end at {}", Index(end));
+        let fault = Diagnostic::new(&faults::COLLIDING_AXES, message, entity.origin.header(), label);
+        fault.note(format!("`pdo-shift` puts the PDOs of the axes 0x{:X} apart", context.pdo_shift))
+    })
 }
 
 fn expected(direction: Direction) -> &'static str {
@@ -55,7 +87,8 @@ pub(super) fn copies(
         return vec![(None, index)];
     }
     let axes = context.axes.iter().map(|axis| axis.number);
-    axes.map(|axis| (Some(axis), Index(index.0.wrapping_add(context.pdo_shift * u16::from(axis))))).collect()
+    let by = |axis| context.pdo_shift.wrapping_mul(u16::from(axis));
+    axes.map(|axis| (Some(axis), Index(index.0.wrapping_add(by(axis))))).collect()
 }
 
 fn report_duplicates(context: &mut Context<'_>, pdos: &[Pdo]) {
@@ -88,7 +121,7 @@ fn pdo(
         entries: mapped(context, &raw.entries, origin, "entries", axis, objects),
         fixed: raw.fixed.unwrap_or(true),
         mandatory: raw.mandatory,
-        excludes: excludes(context, raw, origin, distance),
+        excludes: excludes(context, raw, origin, distance, direction),
         mode: raw.mode,
         total: raw.total,
         max_bytes: raw.max_bytes,
@@ -99,12 +132,23 @@ fn pdo(
     }
 }
 
-fn excludes(context: &mut Context<'_>, raw: &RawPdo, origin: &Origin, distance: u16) -> Vec<Index> {
+fn excludes(
+    context: &mut Context<'_>,
+    raw: &RawPdo,
+    origin: &Origin,
+    distance: u16,
+    direction: Direction,
+) -> Vec<Index> {
     let mut excludes = Vec::new();
     for (i, text) in raw.excludes.iter().enumerate() {
-        let at = origin.value(&format!("excludes.{i}"));
-        if let Some(address) = context.address(text, at) {
-            excludes.push(Index(address.index.0.wrapping_add(distance)));
+        let pdo = names::index(text).filter(|index| in_range(*index, direction));
+        match pdo.filter(|_| context.names.find(text).is_ok()) {
+            Some(index) => excludes.push(Index(index.0.wrapping_add(distance))),
+            None => {
+                let message = format!("there is no PDO `{text}`");
+                let at = origin.value(&format!("excludes.{i}"));
+                context.fault(&faults::UNKNOWN_REFERENCE, message, at, "not a PDO of this direction");
+            }
         }
     }
     excludes.sort();
@@ -129,6 +173,11 @@ pub(super) fn mapped(
             let mapped = Mapped { offset, id: sibling_id(&found.id, &mut ids), ..found };
             offset += mapped.bits;
             entries.push(mapped);
+            if offset > MAX_BITS {
+                let message = format!("{} bits and more do not fit a PDO", offset);
+                context.fault(&faults::UNFIT_VALUE, message, at, "too much with what stands before");
+                break;
+            }
         }
     }
     entries
@@ -172,7 +221,13 @@ fn one(
             Some(Mapped { address: Some(address), id: super::ids::id(&name), name, ..padding })
         }
         _ => {
-            context.address(text, at);
+            // Once is enough: what is not there on the first axis is not there on the others.
+            if let Some(address) = context.address(text, at)
+                && axis.is_none_or(|axis| axis == 0)
+                && let Some(object) = objects.iter().find(|object| object.index == address.index)
+            {
+                context.no_entry(object, address, at);
+            }
             None
         }
     }

@@ -19,11 +19,14 @@ fn word(context: &mut Context<'_>, entity: Entity<RawWord>, objects: &[Object]) 
     let object = raw.object.as_deref().unwrap_or(&key);
     let address = context.address(object, origin.value("object"))?;
     let found = objects.iter().find(|object| object.index == address.index)?;
-    let entry = found.entry(address.subindex);
+    let Some(entry) = found.entry(address.subindex) else {
+        context.no_entry(found, address, origin.value("object"));
+        return None;
+    };
     Some(Word {
         name: raw.name.unwrap_or_else(|| found.name.clone()),
         address,
-        bits: entry.map_or(0, |entry| entry.data_type.bits()),
+        bits: entry.data_type.bits(),
         fields: fields(context, &raw.bits, &origin, "bits"),
         about: raw.about,
         source: facts::source(context, &facts),

@@ -26,7 +26,7 @@ enum Fault {
     /// A value is of another type than it needs to be.
     Type { expected: String, found: String },
     /// An integer does not fit its type.
-    Range { value: i128, kind: &'static str, range: String },
+    Range { value: i128, range: String },
     /// A word is none of those to choose from.
     Word { found: String, known: &'static [&'static str] },
     /// A key is not there.
@@ -37,8 +37,8 @@ enum Fault {
 
 impl Error {
     /// An integer that does not fit its type.
-    pub(super) fn range(value: i128, kind: &'static str, min: impl Display, max: impl Display) -> Self {
-        Fault::Range { value, kind, range: format!("{min} to {max}") }.into()
+    pub(super) fn range(value: i128, min: impl Display, max: impl Display) -> Self {
+        Fault::Range { value, range: format!("{min} to {max}") }.into()
     }
 
     /// Sets the place, if a place further in is not known.
@@ -72,8 +72,8 @@ impl Error {
                 let message = format!("expected {expected}, found {found}");
                 Diagnostic::new(&faults::WRONG_TYPE, message, at, of("in"))
             }
-            Fault::Range { value, kind, range } => {
-                let message = format!("{value} does not fit {kind}, {range}");
+            Fault::Range { value, range } => {
+                let message = format!("expected a number from {range}, found {value}");
                 Diagnostic::new(&faults::INVALID_VALUE, message, at, of("in"))
             }
             Fault::Word { found, known } => {

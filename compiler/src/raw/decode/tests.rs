@@ -242,21 +242,21 @@ fn values_of_the_wrong_type() {
 #[test]
 fn values_out_of_range() {
     assert_snapshot!(bad("max-value = 300"), @r"
-    error[invalid-value]: 300 does not fit u8, 0 to 255
+    error[invalid-value]: expected a number from 0 to 255, found 300
      --> device.toml:2:13
       |
     2 | max-value = 300
       |             ^^^ in `max-value`
     ");
     assert_snapshot!(bad("offset = -129"), @r"
-    error[invalid-value]: -129 does not fit i8, -128 to 127
+    error[invalid-value]: expected a number from -128 to 127, found -129
      --> device.toml:2:10
       |
     2 | offset = -129
       |          ^^^^ in `offset`
     ");
     assert_snapshot!(bad("list = [{ bits = 1 }, { bits = 0xFFFF_FFFF_FFFF_FFFF_FFFF }]"), @r"
-    error[invalid-value]: 1208925819614629174706175 does not fit u8, 0 to 255
+    error[invalid-value]: expected a number from 0 to 255, found 1208925819614629174706175
      --> device.toml:2:32
       |
     2 | list = [{ bits = 1 }, { bits = 0xFFFF_FFFF_FFFF_FFFF_FFFF }]

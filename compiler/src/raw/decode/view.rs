@@ -103,7 +103,7 @@ macro_rules! integers {
             let Input::Integer(value) = self.input else { return self.deserialize_any(visitor) };
             match $kind::try_from(value) {
                 Ok(value) => visitor.$visit(value),
-                Err(_) => Err(Error::range(value, stringify!($kind), $kind::MIN, $kind::MAX)),
+                Err(_) => Err(Error::range(value, $kind::MIN, $kind::MAX)),
             }
             .map_err(|error| error.at(self.at))
         }
