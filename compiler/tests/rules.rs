@@ -1,5 +1,7 @@
 //! Every rule's documentation is its test: the first example fires it and nothing else, the second is silent.
 
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
 use std::path::Path;
 
 use devc::diagnostic::{Rule, faults};

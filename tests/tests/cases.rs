@@ -3,6 +3,8 @@
 //! `cases/<name>/` holds a description and `messages.txt`, all that is reported about it. A new folder is a new
 //! case; `cargo accept` writes its messages.
 
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

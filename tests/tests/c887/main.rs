@@ -1,5 +1,7 @@
 //! The description of the C-887 against the tables of its manual, fact by fact.
 
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
 mod dictionary;
 mod errors;
 mod process_data;
