@@ -91,6 +91,15 @@ impl Level {
         }
     }
 
+    /// The word that messages use.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Allow => "allow",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+
     /// The level that a setting means.
     pub fn parse(name: &str) -> Option<Self> {
         [Self::Allow, Self::Warning, Self::Error].into_iter().find(|level| level.name() == name)

@@ -1,7 +1,18 @@
 //! Messages as people and machines read them.
 
+mod github;
+#[cfg(feature = "json")]
+mod json;
+mod position;
+#[cfg(feature = "json")]
+mod sarif;
 #[cfg(test)]
 mod tests;
 mod text;
 
+pub use github::github;
+#[cfg(feature = "json")]
+pub use json::json;
+#[cfg(feature = "json")]
+pub use sarif::sarif;
 pub use text::{Style, text};

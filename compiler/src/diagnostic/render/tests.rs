@@ -3,7 +3,7 @@
 use insta::assert_snapshot;
 
 use super::{Style, text};
-use crate::diagnostic::{Diagnostic, Edit, Help, Level, faults};
+use crate::diagnostic::{Diagnostic, Diagnostics, Edit, Help, Level, faults};
 use crate::source::{FileId, Location, SourceFile, Sources};
 
 fn sources(files: &[(&str, &str)]) -> Sources {
@@ -131,4 +131,72 @@ fn no_place_makes_it_panic() {
             }
         }
     }
+}
+
+/// One finding in a line with a character of two UTF-16 units and one of two bytes, in a file whose name
+/// needs escaping.
+#[cfg(feature = "json")]
+fn for_machines() -> (Diagnostics, Sources) {
+    let sources =
+        sources(&[("a b/déjà,vu.toml", "# 𝛉 and é\nx = \"𝛉é\", y = 300\n"), ("<profile cia402>", "y = 1\n")]);
+    let at = place(&sources, 0, "300");
+    let mut diagnostics = Diagnostics::default();
+    diagnostics.push(
+        Diagnostic::new(&faults::UNFIT_VALUE, "300 is 100% too much", at, "this")
+            .label(place(&sources, 1, "1"), "not this")
+            .note("a note:\nwith two lines")
+            .suggest("write 30", at, "30"),
+    );
+    (diagnostics, sources)
+}
+
+#[test]
+#[cfg(feature = "json")]
+fn json_counts_characters_and_bytes() {
+    let (diagnostics, sources) = for_machines();
+    let output: serde_json::Value =
+        serde_json::from_str(&super::json(&[(&diagnostics, &sources)])).expect("JSON");
+    assert_eq!(output["version"], 1);
+    let message = &output["diagnostics"][0];
+    assert_eq!(message["rule"], "unfit-value");
+    assert_eq!(message["level"], "error");
+    let label = &message["labels"][0];
+    assert_eq!(label["file"], "a b/déjà,vu.toml");
+    // `x = "` is 5 characters, `𝛉é` 2 in 6 bytes, `", y = ` 7.
+    assert_eq!(label["start"], serde_json::json!({ "line": 2, "column": 15, "offset": 14 + 5 + 6 + 7 }));
+    assert_eq!(label["end"]["column"], 18);
+    assert_eq!(message["helps"][0]["edits"][0]["replacement"], "30");
+}
+
+#[test]
+#[cfg(feature = "json")]
+fn sarif_counts_utf16_and_names_rules() {
+    let (diagnostics, sources) = for_machines();
+    let log: serde_json::Value =
+        serde_json::from_str(&super::sarif(&[(&diagnostics, &sources)], faults::ALL)).expect("JSON");
+    let run = &log["runs"][0];
+    assert_eq!(run["columnKind"], "utf16CodeUnits");
+    let result = &run["results"][0];
+    let index = result["ruleIndex"].as_u64().expect("an index") as usize;
+    assert_eq!(run["tool"]["driver"]["rules"][index]["id"], "unfit-value");
+    assert_eq!(run["tool"]["driver"]["rules"][index]["name"], "UnfitValue");
+    let place = &result["locations"][0]["physicalLocation"];
+    assert_eq!(place["artifactLocation"]["uri"], "a%20b/d%C3%A9j%C3%A0%2Cvu.toml");
+    // 𝛉 is two units of UTF-16.
+    assert_eq!(place["region"]["startColumn"], 16);
+    assert_eq!(result["relatedLocations"][0]["message"]["text"], "not this");
+    let fix = &result["fixes"][0]["artifactChanges"][0]["replacements"][0];
+    assert_eq!(fix["insertedContent"]["text"], "30");
+    assert_eq!(run["invocations"][0]["exitCode"], 1);
+}
+
+#[test]
+#[cfg(feature = "json")]
+fn github_escapes_what_ends_a_command() {
+    let (diagnostics, sources) = for_machines();
+    assert_eq!(
+        super::github(&diagnostics, &sources),
+        "::error file=a b/déjà%2Cvu.toml,line=2,endLine=2,col=15,endColumn=18,title=unfit-value::\
+         300 is 100%25 too much%0Anote: a note:%0Awith two lines%0Ahelp: write 30\n"
+    );
 }

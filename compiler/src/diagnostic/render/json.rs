@@ -1,0 +1,100 @@
+//! Messages for programs. The format is frozen: what version 1 says, it says for ever.
+
+use serde::Serialize;
+
+use super::position::{Position, Positions};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::source::{Location, Sources};
+
+#[derive(Serialize)]
+struct Output {
+    version: u32,
+    diagnostics: Vec<Message>,
+}
+
+#[derive(Serialize)]
+struct Message {
+    rule: &'static str,
+    group: &'static str,
+    level: &'static str,
+    message: String,
+    labels: Vec<Label>,
+    notes: Vec<String>,
+    helps: Vec<Help>,
+}
+
+#[derive(Serialize)]
+struct Label {
+    #[serde(flatten)]
+    place: Place,
+    text: String,
+}
+
+#[derive(Serialize)]
+struct Help {
+    text: String,
+    edits: Vec<Edit>,
+}
+
+#[derive(Serialize)]
+struct Edit {
+    #[serde(flatten)]
+    place: Place,
+    replacement: String,
+}
+
+/// Lines and columns count from 1, columns in characters; offsets count bytes from 0.
+#[derive(Serialize)]
+struct Place {
+    file: String,
+    start: Point,
+    end: Point,
+}
+
+#[derive(Serialize)]
+struct Point {
+    line: usize,
+    column: usize,
+    offset: u32,
+}
+
+/// The messages about several descriptions as one JSON document.
+pub fn json(runs: &[(&Diagnostics, &Sources)]) -> String {
+    let diagnostics = runs.iter().flat_map(|(diagnostics, sources)| {
+        let positions = Positions::new(sources);
+        let messages: Vec<Message> =
+            diagnostics.iter().map(|diagnostic| message(diagnostic, sources, &positions)).collect();
+        messages
+    });
+    let output = Output { version: 1, diagnostics: diagnostics.collect() };
+    serde_json::to_string_pretty(&output).unwrap_or_default() + "\n"
+}
+
+fn message(diagnostic: &Diagnostic, sources: &Sources, positions: &Positions<'_>) -> Message {
+    let Diagnostic { rule, level, message, labels, notes, helps } = diagnostic;
+    let place = |at: Location| place(at, sources, positions);
+    let edit =
+        |edit: &crate::diagnostic::Edit| Edit { place: place(edit.at), replacement: edit.text.clone() };
+    Message {
+        rule: rule.name,
+        group: rule.group.name(),
+        level: level.word(),
+        message: message.clone(),
+        labels: labels.iter().map(|l| Label { place: place(l.at), text: l.text.clone() }).collect(),
+        notes: notes.clone(),
+        helps: helps
+            .iter()
+            .map(|help| Help { text: help.text.clone(), edits: help.edits.iter().map(edit).collect() })
+            .collect(),
+    }
+}
+
+fn place(at: Location, sources: &Sources, positions: &Positions<'_>) -> Place {
+    let (start, end) = positions.range(at);
+    let point = |position: Position, offset| Point { line: position.line, column: position.column, offset };
+    Place {
+        file: sources.get(at.file).map(|file| file.path.clone()).unwrap_or_default(),
+        start: point(start, at.start),
+        end: point(end, at.end),
+    }
+}
