@@ -31,7 +31,7 @@ macro_rules! integers {
         }
     )+};
 }
-integers!(u8 u16 u32 i64);
+integers!(i8 u8 u16 u32 i64);
 
 /// A mark: `yes`, or `no` or nothing.
 impl Cell for bool {
@@ -114,6 +114,51 @@ words! {
         /// A range that is set aside for errors of the manufacturer.
         Range = "range",
     }
+    /// A member of the S700's family.
+    Member {
+        /// SERVOSTAR 300.
+        S300 = "S300",
+        /// SERVOSTAR 400.
+        S400 = "S400",
+        /// SERVOSTAR 600.
+        S600 = "S600",
+        /// S700.
+        S700 = "S700",
+    }
+    /// What a bit must do or be for a transition.
+    Input {
+        /// It does not matter.
+        Any = "-",
+        /// Be 0.
+        Low = "0",
+        /// Be 1.
+        High = "1",
+        /// Change from 0 to 1.
+        Rising = "P",
+        /// Change from 1 to 0.
+        Falling = "N",
+    }
+    /// A change of a bit.
+    Edge {
+        /// From 0 to 1.
+        Rising = "rising",
+        /// From 1 to 0.
+        Falling = "falling",
+    }
+    /// A word that has bits.
+    Word {
+        /// Written by the master.
+        Control = "control",
+        /// Read by the master.
+        Status = "status",
+    }
+    /// An axis of a double-axis controller.
+    AxisLetter {
+        /// The first one.
+        A = "A",
+        /// The second one.
+        B = "B",
+    }
 }
 
 /// Subindex of an entry as the dictionary prints it.
@@ -173,5 +218,22 @@ impl Cell for Pattern {
                 rising: high.rising << 1 | rising,
             })
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_that_hold_something_else_are_refused() {
+        assert_eq!(Sub::parse("01:32"), Ok(Sub::Range(1, 32)));
+        assert_eq!(Pattern::parse("r01x"), Ok(Pattern { mask: 0b0110, value: 0b0010, rising: 0b1000 }));
+        assert!(u8::parse("0x100").is_err());
+        assert!(bool::parse("maybe").is_err());
+        assert!(Access::parse("WO").is_err());
+        assert!(Sub::parse("01:").is_err());
+        assert!(Pattern::parse("0120").is_err());
+        assert!(Vec::<u8>::parse("1,b").is_err());
     }
 }

@@ -59,9 +59,9 @@ fn read<R: Row>(line: &'static str) -> Result<R, String> {
     }
 }
 
-/// Declares row types: each a documented struct whose fields are the columns of the named file.
+/// Declares row types: each a documented struct whose fields are the columns of the named file in the folder.
 macro_rules! tables {
-    ($($(#[$meta:meta])* $name:ident in $file:literal {
+    ($folder:literal, $($(#[$meta:meta])* $name:ident in $file:literal {
         $($(#[$field_meta:meta])* $field:ident: $type:ty,)+
     })+) => {$(
         $(#[$meta])*
@@ -71,8 +71,8 @@ macro_rules! tables {
         }
 
         impl Row for $name {
-            const FILE: &'static str = $file;
-            const TEXT: &'static str = include_str!(concat!("../manual/c887/", $file));
+            const FILE: &'static str = concat!($folder, "/", $file);
+            const TEXT: &'static str = include_str!(concat!("../../manual/", $folder, "/", $file));
             const COLUMNS: &'static [&'static str] = &[$(stringify!($field)),+];
 
             fn read(cells: &mut Cells) -> Result<Self, String> {

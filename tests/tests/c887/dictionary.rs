@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use devc::model::{Access, Address, Entry, Index, Object, Value};
-use devc_tests::manual::{self, Sub};
+use devc_tests::manual::{self, Sub, c887};
 
 use crate::{device, rows};
 
@@ -15,8 +15,8 @@ const MISPRINTS: [(&str, &str); 3] = [
 ];
 
 /// The rows that name a single entry; two rows name all entries of an object, `1C32:01:32` and `1C33:01:32`.
-fn entry_rows() -> impl Iterator<Item = (manual::Object, Address)> {
-    rows::<manual::Object>().into_iter().filter_map(|row| {
+fn entry_rows() -> impl Iterator<Item = (c887::Object, Address)> {
+    rows::<c887::Object>().into_iter().filter_map(|row| {
         let subindex = match row.sub {
             Sub::Variable => 0,
             Sub::One(subindex) => subindex,
@@ -37,7 +37,7 @@ fn object(index: u16) -> &'static Object {
 
 #[test]
 fn objects_are_those_of_the_manual() {
-    let printed: BTreeSet<u16> = rows::<manual::Object>().iter().map(|row| row.index).collect();
+    let printed: BTreeSet<u16> = rows::<c887::Object>().iter().map(|row| row.index).collect();
     let described: BTreeSet<u16> = device().objects.iter().map(|object| object.index.0).collect();
     assert_eq!(described, printed);
     assert_eq!(described.len(), 148);

@@ -3,13 +3,13 @@
 use std::collections::BTreeSet;
 
 use devc::model::{Direction, Index, Role};
-use devc_tests::manual;
+use devc_tests::manual::{self, c887};
 
 use crate::{device, rows};
 
 #[test]
 fn mapped_entries_are_those_of_the_manual() {
-    let rows = rows::<manual::Mapped>();
+    let rows = rows::<c887::Mapped>();
     assert_eq!(rows.len(), 90);
     let printed: BTreeSet<_> = rows
         .iter()
@@ -32,7 +32,7 @@ fn mapped_entries_are_those_of_the_manual() {
 
 #[test]
 fn directions_are_those_of_the_manual() {
-    for row in rows::<manual::Mapped>() {
+    for row in rows::<c887::Mapped>() {
         let direction = match row.direction {
             manual::Direction::Rx => Direction::Rx,
             manual::Direction::Tx => Direction::Tx,
@@ -44,8 +44,7 @@ fn directions_are_those_of_the_manual() {
 #[test]
 fn the_default_assignment_is_that_of_the_manual() {
     for (role, object) in [(Role::Outputs, 0x1C12), (Role::Inputs, 0x1C13)] {
-        let rows: Vec<_> =
-            rows::<manual::Assigned>().into_iter().filter(|row| row.object == object).collect();
+        let rows: Vec<_> = rows::<c887::Assigned>().into_iter().filter(|row| row.object == object).collect();
         let printed: Vec<u16> = rows.iter().filter_map(|row| row.pdo).collect();
         let manager = device().sync_manager(role).expect("there is a sync manager");
         let described: Vec<u16> = manager.pdos.iter().map(|pdo| pdo.0).collect();

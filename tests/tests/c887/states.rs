@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use devc::model::{Answer, Field, Scope};
-use devc_tests::manual::{self, Axes, Brake};
+use devc_tests::manual::{Axes, Brake, c887};
 
 use crate::{device, rows};
 
@@ -14,7 +14,7 @@ fn plain(name: &str) -> String {
 
 #[test]
 fn states_have_the_patterns_of_figure_9() {
-    let rows = rows::<manual::State>();
+    let rows = rows::<c887::State>();
     assert_eq!(device().states.len(), rows.len());
     for row in rows {
         let state = device().states.iter().find(|state| plain(&state.name) == plain(row.name));
@@ -27,7 +27,7 @@ fn states_have_the_patterns_of_figure_9() {
 #[test]
 fn states_have_the_features_of_page_9() {
     let answer = |yes| Some(if yes { Answer::Yes } else { Answer::No });
-    for row in rows::<manual::StateFeatures>() {
+    for row in rows::<c887::StateFeatures>() {
         let state = device().states.iter().find(|state| plain(&state.name) == plain(row.state));
         let state = state.unwrap_or_else(|| panic!("there is no state {}", row.state));
         let brake = match row.brake {
@@ -44,7 +44,7 @@ fn states_have_the_features_of_page_9() {
 
 #[test]
 fn commands_are_those_of_figure_6() {
-    let rows = rows::<manual::Command>();
+    let rows = rows::<c887::Command>();
     assert_eq!(device().commands.len(), rows.len());
     for row in rows {
         let command = device().commands.iter().find(|command| plain(&command.name) == plain(row.name));
@@ -59,7 +59,7 @@ fn commands_are_those_of_figure_6() {
 
 #[test]
 fn axes_are_coupled_as_on_page_10() {
-    for row in rows::<manual::Transition>() {
+    for row in rows::<c887::Transition>() {
         let transition = device().transitions.iter().find(|other| other.number == row.transition);
         let transition = transition.unwrap_or_else(|| panic!("there is no transition {}", row.transition));
         let scope = match row.axes {
@@ -86,7 +86,7 @@ fn the_hexapod_state_has_the_values_of_page_9() {
         .flat_map(|entry| &entry.values)
         .map(|value| (value.value, plain(&value.name)))
         .collect();
-    let printed: Vec<_> = rows::<manual::HexapodState>()
+    let printed: Vec<_> = rows::<c887::HexapodState>()
         .into_iter()
         .map(|row| (i64::from(row.value), plain(row.state)))
         .collect();
@@ -95,14 +95,14 @@ fn the_hexapod_state_has_the_values_of_page_9() {
 
 #[test]
 fn modes_are_those_of_the_manual() {
-    let printed: Vec<i16> = rows::<manual::Mode>().iter().map(|row| row.code.into()).collect();
+    let printed: Vec<i16> = rows::<c887::Mode>().iter().map(|row| row.code.into()).collect();
     let described: Vec<i16> = device().modes.iter().map(|mode| mode.code).collect();
     assert_eq!(described, printed);
 }
 
 #[test]
 fn changes_of_mode_are_those_of_page_11() {
-    let printed: BTreeSet<(Vec<i16>, Vec<i16>)> = rows::<manual::ModeChange>()
+    let printed: BTreeSet<(Vec<i16>, Vec<i16>)> = rows::<c887::ModeChange>()
         .iter()
         .map(|row| (vec![row.from.into()], row.to.map(i16::from).into_iter().collect()))
         .collect();
@@ -118,7 +118,7 @@ fn field(fields: &[Field], bit: u8) -> Option<&Field> {
 #[test]
 fn control_bits_are_those_of_the_manual() {
     let word = device().word("controlword").expect("it is described");
-    for row in rows::<manual::ControlBit>() {
+    for row in rows::<c887::ControlBit>() {
         let mode = row.mode.map(|code| {
             let mode = device().modes.iter().find(|mode| mode.code == i16::from(code));
             &mode.expect("the mode is described").control_bits.fields
@@ -135,7 +135,7 @@ fn control_bits_are_those_of_the_manual() {
 #[test]
 fn status_bits_are_those_of_the_manual() {
     let word = device().word("statusword").expect("it is described");
-    for row in rows::<manual::StatusBit>() {
+    for row in rows::<c887::StatusBit>() {
         let mode = row.mode.map(|code| {
             let mode = device().modes.iter().find(|mode| mode.code == i16::from(code));
             &mode.expect("the mode is described").status_bits.fields

@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::*;
+use crate::manual::rows;
 
 /// Reads a table that has to be readable.
 fn table<R: Row>() -> Vec<R> {
@@ -255,16 +256,4 @@ fn dead_times_follow_their_formula() {
     for (cycle, key) in [(1, "dead-time-at-1-ms"), (2, "dead-time-at-2-ms")] {
         assert_eq!(number("dead-time-cycles") * cycle + buffers, number(key));
     }
-}
-
-#[test]
-fn cells_that_hold_something_else_are_refused() {
-    assert_eq!(Sub::parse("01:32"), Ok(Sub::Range(1, 32)));
-    assert_eq!(Pattern::parse("r01x"), Ok(Pattern { mask: 0b0110, value: 0b0010, rising: 0b1000 }));
-    assert!(u8::parse("0x100").is_err());
-    assert!(bool::parse("maybe").is_err());
-    assert!(Access::parse("WO").is_err());
-    assert!(Sub::parse("01:").is_err());
-    assert!(Pattern::parse("0120").is_err());
-    assert!(Vec::<u8>::parse("1,b").is_err());
 }
