@@ -26,7 +26,8 @@ pub const VERSION: u32 = 1;
 #[derive(Debug)]
 pub struct Json;
 
-/// What stands in the file.
+/// Devices as devc has resolved them from their description: every reference bound, every axis written out,
+/// every PDO laid out. Indices are numbers; data types and bit patterns are words as descriptions write them.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "schema", schemars(title = "devc model"))]
