@@ -9,8 +9,8 @@ pub struct ErrorInfo {
     pub code: u16,
     /// The name of the error.
     pub name: &'static str,
-    /// What the error register 0x1001 shows with it.
-    pub register: u8,
+    /// What the error register 0x1001 shows with it, if the manual says so.
+    pub register: Option<u8>,
     /// The vendor's own numbers of errors that are shown as this one.
     pub vendor_codes: &'static [i32],
     /// What it means and what to do; empty where the manual has nothing to say.
@@ -42,7 +42,7 @@ pub struct ErrorRange {
 ///     const TABLE: &'static [ErrorInfo] = &[ErrorInfo {
 ///         code: 0x7121,
 ///         name: "motor blocked",
-///         register: 0x81,
+///         register: Some(0x81),
 ///         vendor_codes: &[657],
 ///         text: "safety stop, a motor is stuck",
 ///     }];

@@ -115,6 +115,9 @@ pub trait ProcessData: Copy {
 }
 
 /// A single PDO: process data that has an index of its own.
+///
+/// Where each axis has a PDO of the same shape, there is one type for all, so that a program can go through the axes;
+/// the constants are those of the first axis, and the generated type tells the others.
 pub trait Pdo: ProcessData {
     /// The mapping object, 0x1600 on for received and 0x1A00 on for transmitted PDOs (CiA 301).
     const INDEX: u16;

@@ -78,3 +78,50 @@ impl Value for bool {
         byte != 0
     }
 }
+
+/// Text, or a number of a width that Rust has no type for: the bytes as they are.
+impl<const N: usize> Value for [u8; N] {
+    type Bytes = Self;
+    const DATA_TYPE: DataType = DataType::OCTET_STRING;
+
+    #[inline]
+    fn to_bytes(self) -> Self::Bytes {
+        self
+    }
+
+    #[inline]
+    fn from_bytes(bytes: Self::Bytes) -> Self {
+        bytes
+    }
+}
+
+/// Implements [`Value`](crate::object::Value) for a struct around a number, as generated words and codes are.
+///
+/// ```
+/// use devc_runtime::object::Value;
+///
+/// #[derive(Clone, Copy)]
+/// pub struct Controlword(pub u16);
+/// devc_runtime::value!(Controlword as u16);
+///
+/// assert_eq!(Controlword(0x000F).to_bytes(), [0x0F, 0x00]);
+/// ```
+#[macro_export]
+macro_rules! value {
+    ($name:ident as $number:ty) => {
+        impl $crate::object::Value for $name {
+            type Bytes = <$number as $crate::object::Value>::Bytes;
+            const DATA_TYPE: $crate::sdo::DataType = <$number as $crate::object::Value>::DATA_TYPE;
+
+            #[inline]
+            fn to_bytes(self) -> Self::Bytes {
+                self.0.to_le_bytes()
+            }
+
+            #[inline]
+            fn from_bytes(bytes: Self::Bytes) -> Self {
+                Self(<$number>::from_le_bytes(bytes))
+            }
+        }
+    };
+}

@@ -10,6 +10,30 @@ use crate::object::Address;
 /// Where the tables have nothing: a position behind the end. A table of 256 that reaches it has no gaps.
 pub const NONE: u8 = u8::MAX;
 
+/// A table of `N` places that has, for each of the bytes given, its position among them, and [`NONE`] elsewhere;
+/// its first place is that of the byte `first`. For tables of a [`Dictionary`], which are made when the code is
+/// compiled; bytes outside the table are left out.
+///
+/// ```
+/// use devc_runtime::sdo::{NONE, positions};
+///
+/// const SLOTS: [u8; 4] = positions(0x3F, &[0x3F, 0x40, 0x42]);
+/// assert_eq!(SLOTS, [0, 1, NONE, 2]);
+/// ```
+pub const fn positions<const N: usize>(first: u8, mut bytes: &[u8]) -> [u8; N] {
+    let mut table = [NONE; N];
+    let mut position = 0;
+    while let [byte, rest @ ..] = bytes {
+        let place = byte.wrapping_sub(first) as usize;
+        if let Some((_, [slot, ..])) = table.split_at_mut_checked(place) {
+            *slot = position;
+        }
+        position = position.wrapping_add(1);
+        bytes = rest;
+    }
+    table
+}
+
 /// All objects of a device (CiA 301, object dictionary).
 #[derive(Debug, Clone, Copy)]
 pub struct Dictionary {
@@ -71,6 +95,30 @@ pub struct EntryInfo {
 }
 
 impl EntryInfo {
+    /// The `N` entries of an object that has at subindex 0 their number, which cannot be written, and from subindex
+    /// 1 on entries that are all alike. For tables, which are made when the code is compiled.
+    ///
+    /// ```
+    /// use devc_runtime::sdo::{Access, DataType, EntryInfo};
+    ///
+    /// const ENTRIES: [EntryInfo; 3] = EntryInfo::list(DataType::INTEGER32, 32, Access::READ);
+    /// assert_eq!((ENTRIES[0].bits, ENTRIES[2].subindex, ENTRIES[2].bits), (8, 2, 32));
+    /// ```
+    pub const fn list<const N: usize>(data_type: DataType, bits: u16, access: Access) -> [Self; N] {
+        let mut list =
+            [Self { subindex: 0, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ }; N];
+        let mut subindex = 0;
+        let mut rest: &mut [Self] = &mut list;
+        while let [entry, tail @ ..] = rest {
+            if subindex > 0 {
+                *entry = Self { subindex, data_type, bits, access };
+            }
+            subindex = subindex.wrapping_add(1);
+            rest = tail;
+        }
+        list
+    }
+
     /// The length in an SDO, where bits are filled up to bytes.
     pub const fn bytes(self) -> u16 {
         self.bits.div_ceil(8)

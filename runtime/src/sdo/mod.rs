@@ -8,4 +8,4 @@ mod dictionary;
 pub use abort::AbortCode;
 pub use access::{Access, CommunicationState};
 pub use data_type::DataType;
-pub use dictionary::{Dictionary, EntryInfo, Found, NONE, ObjectCode, ObjectInfo, Page};
+pub use dictionary::{Dictionary, EntryInfo, Found, NONE, ObjectCode, ObjectInfo, Page, positions};

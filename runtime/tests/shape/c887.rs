@@ -387,18 +387,18 @@ impl ErrorCode {
 
 impl error::ErrorCode for ErrorCode {
     const TABLE: &'static [ErrorInfo] = &[
-        ErrorInfo { code: 0x0000, name: "no error", register: 0x00, vendor_codes: &[], text: "" },
+        ErrorInfo { code: 0x0000, name: "no error", register: Some(0x00), vendor_codes: &[], text: "" },
         ErrorInfo {
             code: 0x7121,
             name: "motor blocked",
-            register: 0x81,
+            register: Some(0x81),
             vendor_codes: &[657],
             text: "safety stop, because a motor is stuck",
         },
         ErrorInfo {
             code: 0xFF50,
             name: "safety stop triggered",
-            register: 0x81,
+            register: Some(0x81),
             vendor_codes: &[500, 501, 657],
             text: "by the E-stop socket",
         },
