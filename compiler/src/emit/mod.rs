@@ -9,6 +9,7 @@ pub mod esi;
 pub mod json;
 #[cfg(feature = "markdown")]
 pub mod markdown;
+pub mod rust;
 
 use std::collections::BTreeMap;
 
@@ -35,6 +36,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &markdown::Markdown,
     #[cfg(feature = "json")]
     &json::Json,
+    #[cfg(feature = "rust")]
+    &rust::Rust,
 ];
 
 /// Files by name, relative to the output folder.

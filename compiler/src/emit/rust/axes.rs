@@ -1,0 +1,152 @@
+//! Axes put together again: what each axis has, with the distance from one to the next.
+
+use std::fmt::Debug;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::literal::{distance, hex16};
+use crate::model::{Device, Entry, Index, Mapped, Object, Pdo};
+
+/// Objects or PDOs that are one thing: of the device, or one of each axis.
+#[derive(Debug)]
+pub(super) struct Placed<'a, T> {
+    /// The first, which stands for all.
+    pub(super) first: &'a T,
+    /// All, by axis; the first alone if it belongs to the device.
+    pub(super) all: Vec<&'a T>,
+    /// The distance in indices from an axis to the next; none if it belongs to the device.
+    pub(super) shift: Option<u16>,
+    /// The word for it.
+    pub(super) id: String,
+}
+
+/// Something that each axis can have.
+pub(super) trait OfAxis: Debug {
+    fn index(&self) -> Index;
+    fn axis(&self) -> Option<u8>;
+    fn id(&self) -> String;
+    /// Whether the other is the same on an axis that far away.
+    fn is_like(&self, other: &Self, device: &Device, distance: u16) -> bool;
+}
+
+impl OfAxis for Object {
+    fn index(&self) -> Index {
+        self.index
+    }
+
+    fn axis(&self) -> Option<u8> {
+        self.axis
+    }
+
+    fn id(&self) -> String {
+        self.id.clone()
+    }
+
+    fn is_like(&self, other: &Self, _: &Device, _: u16) -> bool {
+        self.kind == other.kind
+            && self.entries.len() == other.entries.len()
+            && self.entries.iter().zip(&other.entries).all(|(a, b)| is_entry_like(a, b))
+    }
+}
+
+fn is_entry_like(a: &Entry, b: &Entry) -> bool {
+    a.address.subindex == b.address.subindex
+        && (&a.id, a.data_type, a.access, a.pdo) == (&b.id, b.data_type, b.access, b.pdo)
+        && (&a.written, &a.values) == (&b.written, &b.values)
+}
+
+impl OfAxis for Pdo {
+    fn index(&self) -> Index {
+        self.index
+    }
+
+    fn axis(&self) -> Option<u8> {
+        self.axis
+    }
+
+    fn id(&self) -> String {
+        let direction = if self.direction == crate::model::Direction::Rx { "rx" } else { "tx" };
+        format!("{direction}-pdo-{:04X}", self.index.0)
+    }
+
+    fn is_like(&self, other: &Self, device: &Device, distance: u16) -> bool {
+        self.direction == other.direction
+            && self.entries.len() == other.entries.len()
+            && self.entries.iter().zip(&other.entries).all(|(a, b)| is_mapped_like(a, b, device, distance))
+    }
+}
+
+fn is_mapped_like(a: &Mapped, b: &Mapped, device: &Device, distance: u16) -> bool {
+    let moved = a.address.map(|address| {
+        let by = shift(device, address.index).unwrap_or(0);
+        (shifted(address.index, by, distance), address.subindex)
+    });
+    (&a.id, a.bits, a.data_type) == (&b.id, b.bits, b.data_type)
+        && moved == b.address.map(|address| (Some(address.index), address.subindex))
+}
+
+/// The distance between the axes at an index of the first axis.
+pub(super) fn shift(device: &Device, index: Index) -> Option<u16> {
+    let of_range = device.shifts.iter().find(|shift| (shift.first..=shift.last).contains(&index));
+    match of_range {
+        Some(shift) => Some(shift.by),
+        None => device.pdo(index).filter(|pdo| pdo.axis.is_some()).map(|_| device.pdo_shift),
+    }
+}
+
+fn shifted(index: Index, by: u16, axes: u16) -> Option<Index> {
+    by.checked_mul(axes).and_then(|distance| index.0.checked_add(distance)).map(Index)
+}
+
+/// Puts axes together where they are alike; what differs from axis to axis stays apart.
+pub(super) fn placed<'a, T: OfAxis>(items: &'a [T], device: &Device) -> Vec<Placed<'a, T>> {
+    let mut placed: Vec<Placed<'a, T>> = Vec::new();
+    for item in items {
+        if placed.iter().any(|known| known.all.iter().any(|other| other.index() == item.index())) {
+            continue;
+        }
+        placed.push(match across(item, items, device) {
+            Some((all, shift)) => Placed { first: item, all, shift: Some(shift), id: item.id() },
+            None => Placed { first: item, all: vec![item], shift: None, id: alone(item, device) },
+        });
+    }
+    placed
+}
+
+/// The item on every axis, with the distance.
+fn across<'a, T: OfAxis>(item: &'a T, items: &'a [T], device: &Device) -> Option<(Vec<&'a T>, u16)> {
+    if device.axes.len() < 2 || item.axis() != Some(0) {
+        return None;
+    }
+    let by = shift(device, item.index())?;
+    let of_axis = |number: u8| {
+        let index = shifted(item.index(), by, number.into())?;
+        let place = items.binary_search_by_key(&index, OfAxis::index).ok();
+        let other =
+            place.and_then(|place| items.get(place)).or_else(|| items.iter().find(|i| i.index() == index))?;
+        (other.axis() == Some(number) && item.is_like(other, device, number.into())).then_some(other)
+    };
+    let all = device.axes.iter().map(|axis| of_axis(axis.number)).collect::<Option<Vec<_>>>()?;
+    Some((all, by))
+}
+
+/// The word for an item of one axis.
+fn alone<T: OfAxis>(item: &T, device: &Device) -> String {
+    let axis = item.axis().filter(|_| device.axes.len() > 1);
+    match axis.and_then(|axis| device.axes.get(usize::from(axis))) {
+        Some(axis) if !item.id().ends_with(&format!("{:x}", item.index().0)) => {
+            format!("{}-{}", item.id(), axis.name)
+        }
+        _ => item.id(),
+    }
+}
+
+/// The index on `axis`, a variable of generated code, or the index alone.
+pub(super) fn index(first: Index, shift: Option<u16>) -> TokenStream {
+    let first = hex16(first.0);
+    match shift.map(distance) {
+        Some(shift) => quote!(axis.index(#first, #shift)),
+        None => first,
+    }
+}

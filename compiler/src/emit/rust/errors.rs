@@ -1,0 +1,96 @@
+//! The error codes of 0x603F.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::doc::{Doc, escape, place, sentence};
+use super::literal::{hex8, hex16, number};
+use super::names::{Names, shout};
+use super::scope::Scope;
+use super::types::address;
+use crate::model::ErrorCode;
+
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    let Some(name) = scope.types.newtype(address(0x603F)).filter(|_| !scope.device.errors.is_empty()) else {
+        return TokenStream::new();
+    };
+    let (ranges, codes): (Vec<&ErrorCode>, Vec<&ErrorCode>) =
+        scope.device.errors.iter().partition(|error| error.is_range());
+    let mut names = Names::default();
+    let constants = codes.iter().map(|code| constant(scope, code, &names.claim(&shout(&code.id))));
+    let (table, runtime) = (table(name, &codes, &ranges), scope.runtime);
+    quote! {
+        /// `0x603F` An error code. Codes that the description does not name keep their number.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub struct #name(pub u16);
+
+        impl #name { #(#constants)* }
+
+        #runtime::value!(#name as u16);
+
+        #table
+
+        impl core::fmt::Display for #name {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                error::display(*self).fmt(f)
+            }
+        }
+    }
+}
+
+fn constant(scope: &Scope<'_>, error: &ErrorCode, name: &Ident) -> TokenStream {
+    let vendor: Vec<String> = error.vendor_codes.iter().map(u32::to_string).collect();
+    let facts = [
+        error.register.map(|register| format!("Error register 0x{register:02X}.")),
+        (!vendor.is_empty()).then(|| format!("Vendor code {}.", vendor.join(", "))),
+        error.source.as_ref().map(|source| format!("({})", place(source, scope.device))),
+    ];
+    let facts: Vec<String> = facts.into_iter().flatten().collect();
+    let doc = Doc::new(format!("{} {}", sentence(&error.name), escape(&facts.join(" "))))
+        .maybe(error.about.as_deref())
+        .maybe(error.remedy.as_deref());
+    let code = hex16(error.code);
+    quote!(#doc pub const #name: Self = Self(#code);)
+}
+
+fn table(name: &Ident, codes: &[&ErrorCode], ranges: &[&ErrorCode]) -> TokenStream {
+    let codes = codes.iter().map(|error| {
+        let (code, name, text) = (hex16(error.code), &error.name, text(error));
+        let register = match error.register.map(hex8) {
+            Some(register) => quote!(Some(#register)),
+            None => quote!(None),
+        };
+        let vendor = error.vendor_codes.iter().map(number);
+        quote!(info(#code, #name, #register, &[#(#vendor),*], #text))
+    });
+    let ranges = ranges.iter().map(|range| {
+        let (first, last, name) = (hex16(range.code), hex16(range.last), &range.name);
+        quote!(ErrorRange { first: #first, last: #last, name: #name })
+    });
+    quote! {
+        impl error::ErrorCode for #name {
+            const TABLE: &'static [ErrorInfo] = {
+                const fn info(
+                    code: u16,
+                    name: &'static str,
+                    register: Option<u8>,
+                    vendor_codes: &'static [i32],
+                    text: &'static str,
+                ) -> ErrorInfo {
+                    ErrorInfo { code, name, register, vendor_codes, text }
+                }
+                &[#(#codes),*]
+            };
+            const RANGES: &'static [ErrorRange] = &[#(#ranges),*];
+            fn code(self) -> u16 {
+                self.0
+            }
+        }
+    }
+}
+
+/// Meaning and remedy.
+fn text(error: &ErrorCode) -> String {
+    let parts = [error.about.as_deref(), error.remedy.as_deref()];
+    parts.into_iter().flatten().map(str::trim).collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,108 @@
+//! The whole process image that a device has if nobody changes its assignment.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::axes::Placed;
+use super::doc::Doc;
+use super::literal::number;
+use super::names::{Names, snake};
+use super::pdos::{Layout, packing};
+use super::scope::Scope;
+use crate::model::{Index, Pdo, Role};
+
+/// A field of an image.
+struct Part<'a, 'p> {
+    pdo: &'p Placed<'a, Pdo>,
+    name: Ident,
+    /// Whether it is the PDOs of all axes, one after the other.
+    of_axes: bool,
+}
+
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    let outputs = image(scope, Role::Outputs, "Outputs", "The outputs of the master", quote!(Rx));
+    let inputs = image(scope, Role::Inputs, "Inputs", "The inputs of the master", quote!(Tx));
+    [outputs, inputs].into_iter().flatten().collect()
+}
+
+/// None if there are no PDOs in it, or if one of them ends within a byte.
+fn image(
+    scope: &Scope<'_>,
+    role: Role,
+    name: &str,
+    title: &str,
+    direction: TokenStream,
+) -> Option<TokenStream> {
+    let manager = scope.device.sync_manager(role).filter(|manager| !manager.pdos.is_empty())?;
+    let parts = parts(scope, &manager.pdos)?;
+    let fields = parts.iter().map(|part| field(scope, part));
+    let (name, length) = (format_ident!("{name}"), scope.device.image_bytes(role));
+    let doc = Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes."))
+        .source(manager.source.as_ref(), scope.device);
+    let packing = packing(scope, &name, direction, &layout(scope, &parts, length));
+    Some(quote! {
+        #doc
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct #name { #(#fields)* }
+
+        #packing
+    })
+}
+
+/// The assigned PDOs, those of all axes in a row put together.
+fn parts<'a, 'p>(scope: &'p Scope<'a>, mut assigned: &[Index]) -> Option<Vec<Part<'a, 'p>>> {
+    let (mut parts, mut names) = (Vec::new(), Names::default());
+    while let Some((first, rest)) = assigned.split_first() {
+        let pdo = scope.pdos.iter().find(|pdo| pdo.all.iter().any(|one| one.index == *first))?;
+        if !pdo.first.bits().is_multiple_of(8) {
+            return None;
+        }
+        let row = pdo.all.iter().map(|pdo| &pdo.index);
+        let of_axes = pdo.shift.is_some() && assigned.iter().take(pdo.all.len()).eq(row);
+        let direction = if pdo.id.starts_with("rx") { "rx" } else { "tx" };
+        let id =
+            if of_axes { "axes".to_owned() } else { format!("{direction}-pdo-{first:04X}", first = first.0) };
+        assigned = if of_axes { assigned.get(pdo.all.len()..).unwrap_or_default() } else { rest };
+        parts.push(Part { pdo, name: names.claim(&snake(&id)), of_axes });
+    }
+    Some(parts)
+}
+
+fn field(scope: &Scope<'_>, part: &Part<'_, '_>) -> TokenStream {
+    let (name, pdo) = (&part.name, scope.pdo_ident(part.pdo));
+    let title = super::doc::escape(&part.pdo.first.name);
+    if part.of_axes {
+        let (doc, count) = (Doc::new(format!("{title} of each axis, in order.")), number(part.pdo.all.len()));
+        return quote!(#doc pub #name: [#pdo; #count],);
+    }
+    let doc = Doc::new(format!("{title}."));
+    quote!(#doc pub #name: #pdo,)
+}
+
+/// The bytes of the PDOs, one after the other.
+fn layout(scope: &Scope<'_>, parts: &[Part<'_, '_>], length: u32) -> Layout {
+    let bytes: Vec<Ident> = (0..length).map(|number| format_ident!("b{number}")).collect();
+    let mut rest = bytes.as_slice();
+    let (mut pack, mut unpack) = (TokenStream::new(), TokenStream::new());
+    for part in parts {
+        let (name, pdo) = (&part.name, scope.pdo_ident(part.pdo));
+        let size = usize::try_from(part.pdo.first.bytes()).unwrap_or(0);
+        let mut take = || {
+            let (taken, left) = rest.split_at_checked(size).unwrap_or((rest, &[]));
+            rest = left;
+            taken
+        };
+        if part.of_axes {
+            let axes: Vec<Ident> = scope.axis_idents().into_iter().map(|(_, variable)| variable).collect();
+            let taken: Vec<&[Ident]> = axes.iter().map(|_| take()).collect();
+            pack.extend(quote!(let [#(#axes),*] = self.#name; #(let [#(#taken),*] = #axes.pack();)*));
+            unpack.extend(quote!(#name: [#(#pdo::unpack([#(#taken),*])),*],));
+        } else {
+            let taken = take();
+            pack.extend(quote!(let [#(#taken),*] = self.#name.pack();));
+            unpack.extend(quote!(#name: #pdo::unpack([#(#taken),*]),));
+        }
+    }
+    let pattern = quote!([#(#bytes),*]);
+    Layout { length, pack: quote!(#pack #pattern), pattern, unpack: quote!(Self { #unpack }) }
+}

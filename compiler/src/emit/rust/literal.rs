@@ -1,0 +1,91 @@
+//! Numbers and texts as a person would write them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::types::Primitive;
+use crate::model::{DataType, Entry, Value};
+
+/// Tokens that are known to be fine.
+pub(super) fn parsed(text: &str) -> TokenStream {
+    text.parse().unwrap_or_default()
+}
+
+/// An index, a mask or another number of 16 bits: `0x6040`.
+pub(super) fn hex16(value: u16) -> TokenStream {
+    parsed(&format!("0x{value:04X}"))
+}
+
+/// A distance between indices: `0x800`.
+pub(super) fn distance(value: u16) -> TokenStream {
+    parsed(&format!("0x{value:X}"))
+}
+
+/// A number of 8 bits: `0x81`.
+pub(super) fn hex8(value: u8) -> TokenStream {
+    parsed(&format!("0x{value:02X}"))
+}
+
+/// A number of 32 bits: `0x0000_076D`.
+pub(super) fn hex32(value: u32) -> TokenStream {
+    parsed(&format!("0x{:04X}_{:04X}", value >> 16, value & 0xFFFF))
+}
+
+/// A number without its type.
+pub(super) fn number(value: impl std::fmt::Display) -> TokenStream {
+    parsed(&value.to_string())
+}
+
+/// A number with its thousands apart: `100_000`.
+pub(super) fn grouped(value: u32) -> TokenStream {
+    let digits = value.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push('_');
+        }
+        text.push(digit);
+    }
+    parsed(&text)
+}
+
+/// The default of an entry, as its primitive; nothing stands for 0.
+pub(super) fn value(entry: &Entry) -> TokenStream {
+    let data_type = entry.data_type;
+    match (Primitive::of(data_type), entry.default.as_ref()) {
+        (Primitive::Bool, value) => {
+            let set = value.and_then(Value::integer).is_some_and(|value| value != 0);
+            quote!(#set)
+        }
+        (Primitive::Text, Some(Value::Text(text))) => quote!(#text),
+        (Primitive::Text, _) => quote!(""),
+        (Primitive::Bytes(length), value) => bytes(value, data_type, length),
+        (Primitive::Real(_), Some(Value::Real(value))) => parsed(&format!("{value:?}")),
+        (Primitive::Real(_), value) => parsed(&format!("{}.0", whole(value))),
+        (Primitive::Unsigned(bits), value) if entry.unit.is_none() => unsigned(whole(value), bits),
+        (Primitive::Unsigned(_) | Primitive::Signed(_), value) => number(whole(value)),
+    }
+}
+
+fn whole(value: Option<&Value>) -> i128 {
+    value.and_then(Value::integer).unwrap_or(0)
+}
+
+/// Large numbers without a sign and without a unit are mostly made of parts, so they are shown in hex.
+fn unsigned(value: i128, bits: u8) -> TokenStream {
+    match (u32::try_from(value), bits) {
+        (Ok(value), 32) if value > 0xFFFF => hex32(value),
+        (Ok(_), 16 | 32) if value > 0xFF => parsed(&format!("0x{value:04X}")),
+        _ => number(value),
+    }
+}
+
+fn bytes(value: Option<&Value>, data_type: DataType, length: u32) -> TokenStream {
+    let bytes = value.map(|value| value.little_endian(data_type)).unwrap_or_default();
+    if bytes.iter().all(|byte| *byte == 0) {
+        let length = number(length);
+        return quote!([0; #length]);
+    }
+    let bytes = bytes.iter().map(|byte| hex8(*byte));
+    quote!([#(#bytes),*])
+}

@@ -1,0 +1,92 @@
+//! Rust without std: constants, typed structs and tables over the runtime crate.
+//!
+//! [`tokens`] is the one back end of the derive, of build scripts and of the command line; [`text`] lays the
+//! same tokens out for people. One file for each concern; each function makes one item.
+
+mod axes;
+mod bytes;
+mod codes;
+mod commands;
+mod dictionary;
+mod doc;
+mod entry;
+mod errors;
+mod head;
+mod images;
+#[cfg(feature = "rust")]
+mod layout;
+mod literal;
+mod modes;
+mod names;
+mod objects;
+mod pdos;
+mod scope;
+mod states;
+mod table;
+#[cfg(feature = "rust")]
+mod text;
+mod types;
+mod units;
+mod words;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+pub use names::{camel, snake};
+#[cfg(feature = "rust")]
+pub use text::{Rust, text};
+
+use crate::lint::Checked;
+use crate::model::{Device, Family};
+use scope::Scope;
+
+/// What generated code depends on its surroundings for.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// The path of the runtime crate.
+    pub runtime: TokenStream,
+    /// The type that stands for the device, declared beside the module; none to declare one in it.
+    pub device: Option<Ident>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { runtime: quote!(::devc_runtime), device: None }
+    }
+}
+
+/// The content of a module: of one device alone, or with a module for each member of a family.
+pub fn tokens(family: &Checked<Family>, options: &Options) -> TokenStream {
+    match family.members.as_slice() {
+        [device] => member(device, options),
+        members => {
+            let modules = members.iter().map(|device| {
+                let (name, content) = (snake(&device.id), member(device, options));
+                quote!(pub mod #name { #content })
+            });
+            let title = doc::Doc::new(format!("The devices of the family {}.", doc::escape(&family.id)));
+            let title = title.inner();
+            quote!(#title #(#modules)*)
+        }
+    }
+}
+
+/// The content of a member's module.
+pub fn member(device: &Device, options: &Options) -> TokenStream {
+    let scope = Scope::new(device, options);
+    let parts = [
+        head::items(&scope),
+        objects::module(&scope),
+        words::items(&scope),
+        codes::items(&scope),
+        pdos::items(&scope),
+        images::items(&scope),
+        states::items(&scope),
+        commands::items(&scope),
+        modes::items(&scope),
+        errors::items(&scope),
+        units::module(&scope),
+        dictionary::module(&scope),
+    ];
+    parts.into_iter().collect()
+}

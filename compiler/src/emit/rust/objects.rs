@@ -1,0 +1,75 @@
+//! A typed constant for each entry.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::axes::Placed;
+use super::entry;
+use super::literal::{distance, hex16, number};
+use super::names::{Names, shout, snake};
+use super::scope::Scope;
+use crate::model::{Access, Entry, Kind, Object};
+
+pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
+    let mut names = Names::default();
+    let objects = scope.objects.iter().map(|placed| object(scope, placed, &mut names));
+    quote! {
+        /// The entries of the object dictionary, as a master reads and writes them.
+        pub mod objects {
+            use super::*;
+            #(#objects)*
+        }
+    }
+}
+
+fn object(scope: &Scope<'_>, placed: &Placed<'_, Object>, names: &mut Names) -> TokenStream {
+    let object = placed.first;
+    if let ([only], Kind::Var) = (object.entries.as_slice(), object.kind) {
+        let name = names.claim(&constant_name(placed, &placed.id));
+        return constant(scope, placed, only, &name);
+    }
+    let name = names.claim(&snake(&placed.id));
+    let doc = entry::object_doc(scope, object);
+    let mut names = Names::default();
+    let constants = object.entries.iter().map(|entry| {
+        let name = names.claim(&constant_name(placed, &entry.id));
+        constant(scope, placed, entry, &name)
+    });
+    quote! {
+        #doc
+        pub mod #name {
+            use super::*;
+            #(#constants)*
+        }
+    }
+}
+
+/// A function of the axis is named as functions are.
+fn constant_name(placed: &Placed<'_, Object>, id: &str) -> Ident {
+    if placed.shift.is_some() { snake(id) } else { shout(id) }
+}
+
+fn constant(scope: &Scope<'_>, placed: &Placed<'_, Object>, entry: &Entry, name: &Ident) -> TokenStream {
+    let doc = entry::doc(scope, placed, entry);
+    let (marker, index, subindex) =
+        (&scope.marker, hex16(entry.address.index.0), number(entry.address.subindex));
+    let value = scope.types.at(Some(entry.address), entry.data_type).tokens();
+    let access = match entry.access {
+        Access::Ro => quote!(ReadOnly),
+        Access::Wo => quote!(WriteOnly),
+        Access::Rw => quote!(ReadWrite),
+        Access::Const => quote!(Constant),
+    };
+    match placed.shift.map(distance) {
+        Some(shift) => quote! {
+            #doc
+            pub const fn #name(axis: Axis) -> Entry<#marker, #value, #access> {
+                axis.entry(#index, #shift, #subindex)
+            }
+        },
+        None => quote! {
+            #doc
+            pub const #name: Entry<#marker, #value, #access> = Entry::new(#index, #subindex);
+        },
+    }
+}

@@ -1,0 +1,207 @@
+//! A struct for each PDO, or for the PDOs of all axes that are alike.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::axes::{self, Placed};
+use super::bytes::{self, Place};
+use super::doc::{Doc, escape};
+use super::entry;
+use super::literal::number;
+use super::names::{Names, snake};
+use super::scope::Scope;
+use super::types::{Primitive, ValueType};
+use crate::model::{DataType, Direction, Mapped, Pdo};
+
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    scope.pdos.iter().map(|pdo| items_of(scope, pdo)).collect()
+}
+
+fn items_of(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
+    let pdo = placed.first;
+    let (name, places) = (scope.pdo_ident(placed), places(scope, pdo));
+    let fields = pdo.entries.iter().zip(&places).filter_map(|(mapped, place)| field(scope, mapped, place));
+    let doc = doc(scope, placed);
+    let packing = packing(scope, &name, direction(pdo), &Layout::of(&places, pdo.bytes()));
+    let mapping = mapping(scope, placed, &name);
+    quote! {
+        #doc
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct #name { #(#fields)* }
+
+        #packing
+        #mapping
+    }
+}
+
+fn direction(pdo: &Pdo) -> TokenStream {
+    match pdo.direction {
+        Direction::Rx => quote!(Rx),
+        Direction::Tx => quote!(Tx),
+    }
+}
+
+fn doc(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> Doc {
+    let pdo = placed.first;
+    let axes = match (placed.shift, placed.all.last()) {
+        (Some(by), Some(last)) => format!(" One for each axis, 0x{by:X} apart, up to `{}`.", last.index),
+        _ => String::new(),
+    };
+    let excludes: Vec<String> = pdo.excludes.iter().map(|index| format!("`{index}`")).collect();
+    let excludes = if excludes.is_empty() {
+        String::new()
+    } else {
+        format!("Not together with {}.", excludes.join(", "))
+    };
+    Doc::new(format!("`{}` {}, {} bytes.{axes}", pdo.index, escape(&pdo.name), pdo.bytes()))
+        .maybe(pdo.about.as_deref())
+        .text(&excludes)
+        .source(pdo.source.as_ref(), scope.device)
+}
+
+/// The fields with their bits; padding has none of a name.
+fn places(scope: &Scope<'_>, pdo: &Pdo) -> Vec<Place> {
+    let mut names = Names::default();
+    let place = |mapped: &Mapped| Place {
+        name: mapped.address.map(|_| names.claim(&snake(&mapped.id))),
+        value: value_type(scope, mapped),
+        offset: mapped.offset,
+        bits: mapped.bits,
+    };
+    pdo.entries.iter().map(place).collect()
+}
+
+/// The type of the entry, or the one that its bits ask for if the entry is not in the dictionary.
+fn value_type(scope: &Scope<'_>, mapped: &Mapped) -> ValueType {
+    let bare = |primitive| ValueType { primitive, newtype: None };
+    match mapped.data_type {
+        Some(DataType::Text(length)) => bare(Primitive::Bytes(length.into())),
+        Some(data_type) => scope.types.at(mapped.address, data_type),
+        None if mapped.bits == 1 => bare(Primitive::Bool),
+        None if mapped.bits <= 64 => {
+            let width = mapped.bits.next_power_of_two().max(8);
+            bare(Primitive::Unsigned(width.try_into().unwrap_or(64)))
+        }
+        None => bare(Primitive::Bytes(mapped.bits.div_ceil(8))),
+    }
+}
+
+fn field(scope: &Scope<'_>, mapped: &Mapped, place: &Place) -> Option<TokenStream> {
+    let (name, value, address) = (place.name.as_ref()?, place.value.field(), mapped.address?);
+    let title = format!("`{address}` {}", super::doc::sentence(&mapped.name));
+    let doc = match scope.device.entry(address) {
+        Some(entry) => {
+            let unit = entry.unit.as_ref().and_then(|id| scope.device.unit(id)).map(entry::unit);
+            Doc::new(match unit {
+                Some(unit) => format!("{}, {}.", title.trim_end_matches('.'), escape(&unit)),
+                None => title,
+            })
+        }
+        None => Doc::new(title).text("The dictionary does not have it, so only its width is known."),
+    };
+    Some(quote!(#doc pub #name: #value,))
+}
+
+/// How process data lies in the frame.
+pub(super) struct Layout {
+    pub(super) length: u32,
+    /// The body of `pack`.
+    pub(super) pack: TokenStream,
+    /// The argument of `unpack`.
+    pub(super) pattern: TokenStream,
+    /// The body of `unpack`.
+    pub(super) unpack: TokenStream,
+}
+
+impl Layout {
+    fn of(places: &[Place], length: u32) -> Self {
+        let (pack, pattern) = (bytes::pack(places, length), bytes::pattern(places, length));
+        Self { length, pack, pattern, unpack: bytes::unpack(places) }
+    }
+}
+
+/// Packing and unpacking, as constants and as the trait.
+pub(super) fn packing(
+    scope: &Scope<'_>,
+    name: &Ident,
+    direction: TokenStream,
+    layout: &Layout,
+) -> TokenStream {
+    let (marker, length) = (&scope.marker, number(layout.length));
+    let Layout { pack, pattern, unpack, .. } = layout;
+    quote! {
+        impl #name {
+            /// The fields as they are in the frame.
+            #[inline]
+            pub const fn pack(self) -> [u8; #length] {
+                #pack
+            }
+
+            /// The fields out of the frame.
+            #[inline]
+            pub const fn unpack(#pattern: [u8; #length]) -> Self {
+                #unpack
+            }
+        }
+
+        impl ProcessData for #name {
+            type Device = #marker;
+            type Direction = #direction;
+            type Image = [u8; #length];
+
+            #[inline]
+            fn pack(self) -> Self::Image {
+                self.pack()
+            }
+
+            #[inline]
+            fn unpack(image: Self::Image) -> Self {
+                Self::unpack(image)
+            }
+        }
+    }
+}
+
+/// The index and what is mapped: of the PDO, or of each axis and for the trait of the first.
+fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident) -> TokenStream {
+    let pdo = placed.first;
+    let rows = pdo.entries.iter().map(|mapped| {
+        let (index, subindex) = match mapped.address {
+            Some(address) => {
+                let shift = placed.shift.and_then(|_| axes::shift(scope.device, address.index));
+                (axes::index(address.index, shift), number(address.subindex))
+            }
+            None => (number(0), number(0)),
+        };
+        let bits = number(mapped.bits);
+        quote!(Mapping { address: Address::new(#index, #subindex), bits: #bits })
+    });
+    let (count, index) = (number(pdo.entries.len()), axes::index(pdo.index, placed.shift));
+    if placed.shift.is_none() {
+        return quote! {
+            impl Pdo for #name {
+                const INDEX: u16 = #index;
+                const MAPPING: &'static [Mapping] = &[#(#rows),*];
+            }
+        };
+    }
+    let first = scope.axis_idents().into_iter().next().map(|(axis, _)| axis);
+    quote! {
+        impl #name {
+            /// The index of the PDO of an axis.
+            pub const fn index(axis: Axis) -> u16 {
+                #index
+            }
+
+            /// What is mapped on an axis.
+            pub const fn mapping(axis: Axis) -> [Mapping; #count] {
+                [#(#rows),*]
+            }
+        }
+
+        impl Pdo for #name {
+            const INDEX: u16 = Self::index(Axis::#first);
+            const MAPPING: &'static [Mapping] = &Self::mapping(Axis::#first);
+        }
+    }
+}

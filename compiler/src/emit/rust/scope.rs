@@ -1,0 +1,101 @@
+//! What all parts of a module know.
+
+use proc_macro2::{Ident, TokenStream};
+
+use super::Options;
+use super::axes::{Placed, placed};
+use super::names::{Names, camel, snake};
+use super::types::Types;
+use crate::model::{Device, Object, Pdo};
+
+/// Names that every module has or that it imports.
+const RESERVED: &[&str] = &[
+    "Access",
+    "Address",
+    "Axis",
+    "Command",
+    "Constant",
+    "Coupling",
+    "DataType",
+    "Device",
+    "Edge",
+    "Entry",
+    "EntryInfo",
+    "ErrorInfo",
+    "ErrorRange",
+    "Inputs",
+    "Mapping",
+    "Mode",
+    "ModeOfOperation",
+    "ObjectCode",
+    "ObjectInfo",
+    "Option",
+    "Outputs",
+    "Page",
+    "Pattern",
+    "Pdo",
+    "ProcessData",
+    "ReadOnly",
+    "ReadWrite",
+    "Result",
+    "Rx",
+    "Scale",
+    "State",
+    "StatePatterns",
+    "StateSet",
+    "Transition",
+    "Tx",
+    "UnknownState",
+    "VendorCode",
+    "WriteOnly",
+];
+
+/// A device with what its code is made of.
+#[derive(Debug)]
+pub(super) struct Scope<'a> {
+    pub(super) device: &'a Device,
+    /// The path of the runtime crate.
+    pub(super) runtime: &'a TokenStream,
+    /// The type that stands for the device.
+    pub(super) marker: Ident,
+    /// Whether the type is declared beside the module.
+    pub(super) marker_is_outside: bool,
+    /// The objects, those of axes together.
+    pub(super) objects: Vec<Placed<'a, Object>>,
+    /// The PDOs, those of axes together.
+    pub(super) pdos: Vec<Placed<'a, Pdo>>,
+    pub(super) types: Types<'a>,
+}
+
+impl<'a> Scope<'a> {
+    pub(super) fn new(device: &'a Device, options: &'a Options) -> Self {
+        let mut names = Names::with(RESERVED);
+        let wanted = options.device.clone().unwrap_or_else(|| camel(&device.id));
+        let marker = if options.device.is_some() { wanted } else { names.claim(&wanted) };
+        let objects = placed(&device.objects, device);
+        let pdos = placed(&device.pdos, device);
+        let types = Types::of(device, &mut names);
+        let (runtime, marker_is_outside) = (&options.runtime, options.device.is_some());
+        Self { device, runtime, marker, marker_is_outside, objects, pdos, types }
+    }
+
+    /// Whether something of the device is there for each axis.
+    pub(super) fn has_axes(&self) -> bool {
+        self.objects.iter().any(|object| object.shift.is_some())
+            || self.pdos.iter().any(|pdo| pdo.shift.is_some())
+    }
+
+    /// The names of the axes, as variants and as variables.
+    pub(super) fn axis_idents(&self) -> Vec<(Ident, Ident)> {
+        let (mut variants, mut variables) = (Names::with(&["ALL"]), Names::default());
+        let idents = self.device.axes.iter().map(|axis| {
+            (variants.claim(&camel(&axis.name)), variables.claim(&snake(&format!("axis-{}", axis.name))))
+        });
+        idents.collect()
+    }
+
+    /// The name of a PDO's struct.
+    pub(super) fn pdo_ident(&self, pdo: &Placed<'_, Pdo>) -> Ident {
+        camel(&pdo.id)
+    }
+}

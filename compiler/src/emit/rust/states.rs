@@ -1,0 +1,95 @@
+//! The states of the drive and how it goes from one to another.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::literal::{hex16, number};
+use super::names::camel;
+use super::scope::Scope;
+use crate::model::{Device, Scope as Axes, State, Transition};
+
+/// The states of the profile, by the ids that descriptions use.
+const KNOWN: &[&str] = &[
+    "not-ready-to-switch-on",
+    "switch-on-disabled",
+    "ready-to-switch-on",
+    "switched-on",
+    "operation-enabled",
+    "quick-stop-active",
+    "fault-reaction-active",
+    "fault",
+];
+
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    let device = scope.device;
+    let patterns = (!device.states.is_empty()).then(|| patterns(device));
+    let transitions = (!device.transitions.is_empty()).then(|| transitions(device));
+    quote!(#patterns #transitions)
+}
+
+/// The runtime's name of a state.
+fn state(id: &str) -> Option<Ident> {
+    KNOWN.contains(&id).then(|| camel(id))
+}
+
+fn patterns(device: &Device) -> TokenStream {
+    let row = |one: &State| {
+        let (name, pattern) = (state(&one.id)?, one.pattern.as_ref()?);
+        let (mask, value) = (hex16(pattern.mask()), hex16(pattern.value()));
+        Some(quote!((State::#name, Pattern { mask: #mask, value: #value })))
+    };
+    let rows = device.states.iter().filter_map(row);
+    quote! {
+        /// How the statusword shows the states.
+        pub const STATES: StatePatterns = StatePatterns(&[#(#rows),*]);
+    }
+}
+
+fn transitions(device: &Device) -> TokenStream {
+    let supported = device.transitions.iter().filter(|transition| transition.supported);
+    let rows = supported.filter_map(|one| transition(device, one));
+    quote! {
+        /// The transitions of the drive: number, states before, state after, axes that have to make it.
+        pub const TRANSITIONS: &[Transition] = {
+            const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
+                Transition { number, from: StateSet::of(from), to, coupling }
+            }
+            &[#(#rows),*]
+        };
+    }
+}
+
+fn transition(device: &Device, transition: &Transition) -> Option<TokenStream> {
+    let (number, to) = (number(transition.number), state(&transition.to)?);
+    let from = origins(device, transition).into_iter().filter_map(state).map(|from| quote!(State::#from));
+    let coupling = match transition.axes {
+        None => quote!(Coupling::Independent),
+        Some(Axes::All) => quote!(Coupling::All),
+        Some(Axes::Any) => quote!(Coupling::Any),
+    };
+    Some(quote!(transition(#number, &[#(#from),*], State::#to, #coupling)))
+}
+
+/// Where a transition starts. One that names no state is the start itself, or comes from every state but the one
+/// it ends in and what follows that without a command: no fault leads from a fault to its reaction.
+fn origins<'a>(device: &'a Device, transition: &'a Transition) -> Vec<&'a str> {
+    if let Some(from) = &transition.from {
+        return vec![from];
+    }
+    let is_start = !device
+        .transitions
+        .iter()
+        .any(|other| other.to == transition.to && other.number != transition.number)
+        && device.transitions.iter().all(|other| other.number >= transition.number);
+    if is_start {
+        return Vec::new();
+    }
+    let follows = |id: &str| {
+        device
+            .transitions
+            .iter()
+            .any(|other| other.automatic && other.from.as_ref() == Some(&transition.to) && other.to == id)
+    };
+    let ids = device.states.iter().map(|state| state.id.as_str());
+    ids.filter(|id| *id != transition.to && !follows(id)).collect()
+}
