@@ -1,1 +1,8 @@
-//! Part of devc.
+//! The Rust that devc makes of the descriptions it ships: a module for each device.
+//!
+//! The modules are written by `devc build` and never edited; this list of them is kept by hand.
+#![no_std]
+
+#[rustfmt::skip]
+#[path = "../c887/c887.rs"]
+pub mod c887;
