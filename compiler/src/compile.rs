@@ -9,7 +9,7 @@ use crate::source::{Loader, Sources, load};
 use crate::{profiles, raw, resolve};
 
 /// What came of a description.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Compilation {
     /// The devices; none if an error forbids it.
     pub family: Option<Checked<Family>>,
@@ -55,12 +55,7 @@ pub fn compile(loader: &dyn Loader, path: &Path) -> Compilation {
 
 /// Compiles as [`compile`] does, and tells `enter` each stage as it begins.
 pub fn compile_watched(loader: &dyn Loader, path: &Path, enter: &mut dyn FnMut(Stage)) -> Compilation {
-    let mut compilation = Compilation {
-        family: None,
-        diagnostics: Diagnostics::default(),
-        sources: Sources::default(),
-        files: Vec::new(),
-    };
+    let mut compilation = Compilation::default();
     compilation.family = stages(loader, path, &mut compilation, enter);
     compilation.diagnostics.finish();
     compilation
@@ -72,6 +67,18 @@ fn stages(
     compilation: &mut Compilation,
     enter: &mut dyn FnMut(Stage),
 ) -> Option<Checked<Family>> {
+    let (family, levels) = resolved(loader, path, compilation, enter)?;
+    enter(Stage::Check);
+    lint::check(family, &levels, &compilation.sources, &mut compilation.diagnostics)
+}
+
+/// The devices before any rule has seen them, with the levels that their description gives the rules.
+pub(crate) fn resolved(
+    loader: &dyn Loader,
+    path: &Path,
+    compilation: &mut Compilation,
+    enter: &mut dyn FnMut(Stage),
+) -> Option<(Family, Levels)> {
     let Compilation { diagnostics, sources, files, .. } = compilation;
     enter(Stage::Load);
     let document = load(loader, path, profiles::ALL, sources, diagnostics)?;
@@ -88,8 +95,7 @@ fn stages(
     let levels = members.first().map(|device| Levels::described(&device.lints)).unwrap_or_default();
     enter(Stage::Resolve);
     let family = resolve::resolve(&id, shared, members, sources, diagnostics)?;
-    enter(Stage::Check);
-    lint::check(family, &levels, diagnostics)
+    Some((family, levels))
 }
 
 /// The name of the description's folder, from which the outputs take theirs.

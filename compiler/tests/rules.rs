@@ -26,23 +26,22 @@ fn example<'d>(docs: &'d str, heading: &str) -> Option<&'d str> {
 /// The files of an example: the main one, and those that a line `# file: name` starts.
 fn files(example: &str) -> Vec<(String, String)> {
     let lines = example.lines().map(|line| line.strip_prefix(' ').unwrap_or(line));
-    let mut files = vec![("device.toml".to_owned(), String::new())];
+    let mut file = ("device.toml".to_owned(), String::new());
+    let mut files = Vec::new();
     for line in lines {
         match line.strip_prefix("# file: ") {
-            Some(name) => files.push((name.to_owned(), String::new())),
+            Some(name) => files.push(std::mem::replace(&mut file, (name.to_owned(), String::new()))),
             None => {
-                let (_, text) = files.last_mut().expect("there is a main file");
-                text.push_str(line);
-                text.push('\n');
+                file.1.push_str(line);
+                file.1.push('\n');
             }
         }
     }
+    files.push(file);
     let whole: String = files.iter().map(|(_, text)| text.as_str()).collect();
-    for (header, text) in [("[device]", HEAD), ("[identity]", IDENTITY)] {
-        if !whole.contains(header) {
-            files[0].1.push_str(text);
-        }
-    }
+    let missing = [("[device]", HEAD), ("[identity]", IDENTITY)];
+    let missing = missing.into_iter().filter(|(header, _)| !whole.contains(header));
+    files.iter_mut().take(1).for_each(|(_, main)| main.extend(missing.clone().map(|(_, text)| text)));
     files
 }
 

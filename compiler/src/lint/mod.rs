@@ -3,8 +3,11 @@
 mod checked;
 mod errata;
 mod levels;
+mod lookup;
 mod report;
 mod rules;
+#[cfg(test)]
+mod tests;
 
 pub use checked::Checked;
 pub use levels::Levels;
@@ -14,6 +17,7 @@ pub(crate) use report::Report;
 
 use crate::diagnostic::{Diagnostics, Rule};
 use crate::model::{Device, Family};
+use crate::source::Sources;
 
 /// A rule with the function that looks for its fault.
 pub struct Lint {
@@ -25,16 +29,32 @@ pub struct Lint {
 /// Runs every rule on every member; the family comes back as checked if none of them refuses it.
 ///
 /// Errata take out what they answer, then levels decide how bad the rest is.
-pub fn check(family: Family, levels: &Levels, diagnostics: &mut Diagnostics) -> Option<Checked<Family>> {
+pub fn check(
+    family: Family,
+    levels: &Levels,
+    sources: &Sources,
+    diagnostics: &mut Diagnostics,
+) -> Option<Checked<Family>> {
     for device in &family.members {
-        let mut report = Report::default();
-        for lint in ALL {
-            (lint.check)(device, &mut report);
-        }
-        let mut findings = report.finish();
-        findings.extend(levels.unknown());
-        errata::apply(device, &mut findings);
-        diagnostics.extend(findings.into_iter().filter_map(|finding| levels.judge(finding.diagnostic)));
+        run(ALL.iter(), device, levels, sources, diagnostics);
     }
     (!diagnostics.has_errors()).then_some(Checked(family))
+}
+
+/// Runs rules on a device, in any order.
+fn run<'l>(
+    rules: impl Iterator<Item = &'l Lint>,
+    device: &Device,
+    levels: &Levels,
+    sources: &Sources,
+    diagnostics: &mut Diagnostics,
+) {
+    let mut report = Report::new(sources);
+    for lint in rules {
+        (lint.check)(device, &mut report);
+    }
+    let mut findings = report.finish();
+    findings.extend(levels.unknown());
+    errata::apply(device, &mut findings);
+    diagnostics.extend(findings.into_iter().filter_map(|finding| levels.judge(finding.diagnostic)));
 }

@@ -28,23 +28,25 @@ impl Origin {
 
     /// Where the value at `path` was set (`"max"`, `"entries.0x01.type"`); the header if nothing set it.
     pub fn value(&self, path: &str) -> Location {
-        self.find(path).map_or(self.header, |node| node.at)
+        self.node(path).map_or(self.header, |node| node.at)
     }
 
     /// Whether the value at `path` was set.
     pub fn has(&self, path: &str) -> bool {
-        self.find(path).is_some()
+        self.node(path).is_some()
     }
 
-    /// The value that a profile has at `path`, if the description replaced it by its own.
+    /// The value of the layer below at `path`, if the description replaced it by its own: a profile's, or one
+    /// of its own that differs for a member of a family or on an axis.
     pub fn under(&self, path: &str) -> Option<&Node> {
         match path.rsplit_once('.') {
             None => self.table.get(path)?.under.as_deref(),
-            Some((table, key)) => self.find(table)?.table()?.get(key)?.under.as_deref(),
+            Some((table, key)) => self.node(table)?.table()?.get(key)?.under.as_deref(),
         }
     }
 
-    fn find(&self, path: &str) -> Option<&Node> {
+    /// The value at `path`, if one was set.
+    pub fn node(&self, path: &str) -> Option<&Node> {
         let mut parts = path.split('.');
         let mut node = &self.table.get(parts.next()?)?.node;
         for part in parts {

@@ -12,7 +12,26 @@ macro_rules! lints {
 }
 
 lints! {
+    absent_mapped_entry,
+    ambiguous_vendor_code,
     contradicted_count,
+    contradicted_identity,
+    contradicted_modes,
+    contradicted_profile,
+    deviating_access,
+    deviating_mapping,
+    deviating_type,
     idle_erratum,
+    idle_mapped_entry,
+    manufacturer_bit,
+    misclassified_error,
+    odd_count_type,
+    placeholder_identity,
+    undefined_default,
+    understated_axes,
     unknown_rule,
+    unsized_string,
+    unsupported_pdo_mode,
+    unsupported_transition,
+    withheld_bit,
 }

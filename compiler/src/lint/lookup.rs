@@ -1,0 +1,52 @@
+//! What rules ask of a device again and again.
+
+use crate::model::{Address, Device, Entry, Index, Mapped, Object, Pdo, Provenance};
+use crate::source::Location;
+
+/// The objects that a description or a profile states; those that devc makes follow from what is judged
+/// elsewhere.
+pub(super) fn objects(device: &Device) -> impl Iterator<Item = &Object> {
+    device.objects.iter().filter(|object| object.provenance != Provenance::Derived)
+}
+
+/// The entries of these objects, with the object.
+pub(super) fn entries(device: &Device) -> impl Iterator<Item = (&Object, &Entry)> {
+    objects(device).flat_map(|object| object.entries.iter().map(move |entry| (object, entry)))
+}
+
+/// The index that an object has on the first axis.
+pub(super) fn first_index(device: &Device, object: &Object) -> Index {
+    let axis = u16::from(object.axis.unwrap_or(0));
+    let first = |by: u16| Index(object.index.0.wrapping_sub(by.wrapping_mul(axis)));
+    let own = |by: &u16| {
+        device.shifts.iter().any(|shift| shift.by == *by && (shift.first..=shift.last).contains(&first(*by)))
+    };
+    device.shifts.iter().map(|shift| shift.by).find(own).map_or(object.index, first)
+}
+
+/// The objects that have this index on the first axis, one for each axis.
+pub(super) fn on_axes(device: &Device, index: u16) -> impl Iterator<Item = &Object> {
+    objects(device).filter(move |object| first_index(device, object) == Index(index))
+}
+
+/// The name of an entry for a person: that of the object alone if it has no other entry.
+pub(super) fn name(object: &Object, entry: &Entry) -> String {
+    if object.entries.len() == 1 { object.index.to_string() } else { entry.address.to_string() }
+}
+
+/// Where a key of an entry was set: in its own table, or for all entries in the object's.
+pub(super) fn place(object: &Object, entry: &Entry, key: &str) -> Location {
+    if entry.origin.has(key) || !object.origin.has(key) {
+        entry.origin.value(key)
+    } else {
+        object.origin.value(key)
+    }
+}
+
+/// What each PDO carries, with the address of its place in the mapping object.
+pub(super) fn mapped(device: &Device) -> impl Iterator<Item = (&Pdo, Address, &Mapped)> {
+    device.pdos.iter().flat_map(|pdo| {
+        let places = (1..=u8::MAX).map(|subindex| Address { index: pdo.index, subindex });
+        places.zip(&pdo.entries).map(move |(at, mapped)| (pdo, at, mapped))
+    })
+}
