@@ -2,12 +2,16 @@
 
 mod axes;
 mod communication;
+mod configurations;
 mod connections;
+mod coordinates;
 mod device;
 mod errors;
+mod homing;
 mod modes;
 mod objects;
 mod process_data;
+mod registers;
 mod service;
 mod sources;
 mod states;
@@ -30,13 +34,17 @@ pub(super) static CHAPTERS: &[Prepare] = &[
     prepare::<communication::View>,
     prepare::<synchronisation::View>,
     prepare::<process_data::View>,
+    prepare::<configurations::View>,
     prepare::<words::View>,
     prepare::<states::View>,
     prepare::<modes::View>,
+    prepare::<homing::View>,
     prepare::<stopping::View>,
     prepare::<errors::View>,
     prepare::<units::View>,
+    prepare::<coordinates::View>,
     prepare::<objects::View>,
+    prepare::<registers::View>,
     prepare::<service::View>,
     prepare::<sources::View>,
 ];

@@ -75,6 +75,11 @@ impl<'a> Context<'a> {
         self.linked(address.index, &label)
     }
 
+    /// An address with its subindex, linked to its object.
+    pub(super) fn exact(&self, address: Address) -> String {
+        self.linked(address.index, &code(address))
+    }
+
     /// An address with the name of what it names.
     pub(super) fn named(&self, address: Address) -> String {
         match self.name(address) {

@@ -13,6 +13,7 @@ use crate::model::{Mailbox, Role, SyncManager};
 pub(in crate::emit::markdown) struct View {
     states: Table,
     transitions: Table,
+    al_status_codes: Table,
     sync_managers: Table,
     mailbox: Table,
 }
@@ -26,10 +27,12 @@ impl Chapter for View {
         let view = Self {
             states: states(context),
             transitions: transitions(context),
+            al_status_codes: al_status_codes(context),
             sync_managers: sync_managers(context),
             mailbox: context.device.mailbox.as_ref().map(mailbox).unwrap_or_default(),
         };
-        let tables = [&view.states, &view.transitions, &view.sync_managers, &view.mailbox];
+        let tables =
+            [&view.states, &view.transitions, &view.al_status_codes, &view.sync_managers, &view.mailbox];
         tables.iter().any(|table| !table.is_empty()).then_some(view)
     }
 }
@@ -62,6 +65,20 @@ fn transitions(context: &Context<'_>) -> Table {
             name(&change.to),
             context.optional(change.about.as_deref()),
             context.source(change.source.as_ref()),
+        ]
+    })
+}
+
+fn al_status_codes(context: &Context<'_>) -> Table {
+    let titles = ["Code", "AL status", "During", "State afterwards", "Notes", "Source"];
+    Table::of(titles, &context.device.al_status_codes, |status| {
+        [
+            code(format!("0x{:04X}", status.code)),
+            format!("**{}**", text(&status.name)),
+            list(status.during.iter().map(|change| text(change))),
+            status.results.as_deref().map_or(String::new(), text),
+            context.optional(status.about.as_deref()),
+            context.source(status.source.as_ref()),
         ]
     })
 }

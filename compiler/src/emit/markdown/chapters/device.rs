@@ -14,6 +14,7 @@ pub(in crate::emit::markdown) struct View {
     about: String,
     facts: Table,
     identity: Table,
+    limits: Table,
     source: String,
 }
 
@@ -28,6 +29,7 @@ impl Chapter for View {
             about: context.paragraphs(device.about.as_deref()),
             facts: facts(context),
             identity: identity(device),
+            limits: limits(context),
             source: context.source_line(device.identity.source.as_ref()),
         })
     }
@@ -80,6 +82,17 @@ fn eeprom(device: &Device) -> String {
     let config: Vec<String> = device.eeprom.config_data.iter().map(|byte| format!("{byte:02X}")).collect();
     let size = bytes(device.eeprom.size);
     if config.is_empty() { size } else { format!("{size}, begins with {}", code(config.join(" "))) }
+}
+
+fn limits(context: &Context<'_>) -> Table {
+    Table::of(["Limit", "Figure", "Notes", "Source"], &context.device.limits, |limit| {
+        [
+            text(&limit.name),
+            context.prose(&limit.value),
+            context.optional(limit.about.as_deref()),
+            context.source(limit.source.as_ref()),
+        ]
+    })
 }
 
 fn identity(device: &Device) -> Table {

@@ -2,11 +2,12 @@
 
 use serde::Serialize;
 
+use super::words::value;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{anchor, code, link, list, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{ErrorCode, Index};
+use crate::model::{ErrorCode, Index, VendorCode};
 
 const ERROR_REGISTER: Index = Index(0x1001);
 
@@ -52,6 +53,13 @@ fn errors(context: &Context<'_>) -> Table {
     })
 }
 
+/// What a vendor's code means, then what can have caused it.
+fn meaning(context: &Context<'_>, vendor: &VendorCode) -> String {
+    let about = vendor.about.iter().map(|about| context.prose(about));
+    let causes = vendor.causes.iter().map(|cause| format!("cause {}", value(context, cause)));
+    about.chain(causes).collect::<Vec<_>>().join("<br>")
+}
+
 fn codes(error: &ErrorCode) -> String {
     let hex = |number: u16| code(format!("0x{number:04X}"));
     if error.is_range() { format!("{} to {}", hex(error.code), hex(error.last)) } else { hex(error.code) }
@@ -73,7 +81,7 @@ fn vendor_codes(context: &Context<'_>) -> Table {
         [
             format!("{}{}", anchor(vendor_id(context, vendor.code)), code(vendor.code)),
             format!("**{}**", text(&vendor.name)),
-            context.optional(vendor.about.as_deref()),
+            meaning(context, vendor),
             list(errors.map(|error| link(codes(error), context.error_id(error)))),
             context.source(vendor.source.as_ref()),
         ]

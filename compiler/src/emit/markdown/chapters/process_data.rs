@@ -135,7 +135,8 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
     facts.into_iter().flatten().collect()
 }
 
-fn layout(context: &Context<'_>, pdo: &Pdo) -> Table {
+/// The bytes of a PDO.
+pub(super) fn layout(context: &Context<'_>, pdo: &Pdo) -> Table {
     let titles = ["Bytes", "Object", "Name", "Type", "Unit", "Mapping entry"];
     Table::of(titles, &pdo.entries, |mapped| {
         [

@@ -65,16 +65,28 @@ fn master_settings(context: &Context<'_>) -> Table {
 }
 
 fn parameters(context: &Context<'_>) -> Table {
-    let titles = ["Parameter", "Name", "On delivery", "What it does", "Source"];
+    let titles = ["Parameter", "Name", "Object", "On delivery", "Range", "Unit", "What it does", "Source"];
     Table::of(titles, &context.device.parameters, |parameter| {
         [
             code(&parameter.id),
             format!("**{}**", text(&parameter.name)),
+            parameter.address.map_or(String::new(), |address| context.exact(address)),
             parameter.default.as_ref().map_or(String::new(), code),
+            range(parameter),
+            parameter.symbol.as_deref().map_or(String::new(), text),
             effect(context, parameter),
             context.source(parameter.source.as_ref()),
         ]
     })
+}
+
+fn range(parameter: &Parameter) -> String {
+    match (&parameter.min, &parameter.max) {
+        (Some(min), Some(max)) => format!("{} to {}", code(min), code(max)),
+        (Some(min), None) => format!("{} or more", code(min)),
+        (None, Some(max)) => format!("up to {}", code(max)),
+        (None, None) => String::new(),
+    }
 }
 
 fn effect(context: &Context<'_>, parameter: &Parameter) -> String {

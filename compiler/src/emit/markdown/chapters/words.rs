@@ -93,7 +93,7 @@ pub(super) fn statements(context: &Context<'_>, field: &Field) -> Vec<String> {
 }
 
 /// A value with what it means.
-fn value(context: &Context<'_>, meaning: &Meaning) -> String {
+pub(super) fn value(context: &Context<'_>, meaning: &Meaning) -> String {
     let about = meaning.about.as_ref().map_or(String::new(), |about| format!(": {}", context.prose(about)));
     format!("{} {}{about}", code(meaning.value), text(&meaning.name))
 }

@@ -1,0 +1,61 @@
+//! How the vendor's parameters lie in the dictionary.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{code, text};
+use crate::emit::markdown::table::Table;
+use crate::model::{Coordinates, Group};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    about: String,
+    formula: String,
+    shift: String,
+    groups: Table,
+    source: String,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "coordinates";
+    const TITLE: &'static str = "Numbering of parameters";
+    const TEMPLATE: &'static str = include_str!("../templates/coordinates.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let coordinates = context.device.coordinates.as_ref()?;
+        let shift = format!("SDO information counts subindices from {} on.", coordinates.info_shift);
+        Some(Self {
+            about: context.paragraphs(coordinates.about.as_deref()),
+            formula: formula(coordinates),
+            shift: if coordinates.info_shift > 0 { shift } else { String::new() },
+            groups: Table::of(["Group", "Parameters", "Number", "Indices"], &coordinates.groups, group),
+            source: context.source_line(coordinates.source.as_ref()),
+        })
+    }
+}
+
+/// The formula, with a worked example of the first group that has a number.
+fn formula(coordinates: &Coordinates) -> String {
+    let base = code(coordinates.base);
+    let general = format!(
+        "Index = {base} + number of the group × {} + line; subindex = element.",
+        coordinates.group_size
+    );
+    let first = coordinates.groups.iter().find(|group| group.number.is_some());
+    let example = first.map(|group| format!("{}1[0]", group.letter));
+    let worked = example.and_then(|example| Some((coordinates.address(&example)?, example)));
+    match worked {
+        Some((address, example)) => format!("{general} So {} is {}.", code(example), code(address)),
+        None => general,
+    }
+}
+
+fn group(group: &Group) -> [String; 4] {
+    [
+        format!("**{}**", text(&group.letter)),
+        text(&group.name),
+        group.number.map_or_else(|| "–".into(), |number| number.to_string()),
+        group.range.map_or(String::new(), |(first, last)| format!("{} to {}", code(first), code(last))),
+    ]
+}

@@ -1,0 +1,91 @@
+//! The homing methods.
+
+use serde::Serialize;
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{anchor, code, list, text};
+use crate::emit::markdown::table::Table;
+use crate::model::{HomingMethod, Way};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    methods: Table,
+    steps: Vec<StepsView>,
+}
+
+/// What the drive does for a method, in each case.
+#[derive(Serialize)]
+struct StepsView {
+    title: String,
+    cases: Vec<CaseView>,
+}
+
+#[derive(Serialize)]
+struct CaseView {
+    when: String,
+    steps: Vec<String>,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "homing";
+    const TITLE: &'static str = "Homing methods";
+    const TEMPLATE: &'static str = include_str!("../templates/homing.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let methods = &context.device.homing_methods;
+        let told =
+            methods.iter().filter(|method| !method.steps.is_empty() || !method.alternatives.is_empty());
+        (!methods.is_empty()).then(|| Self {
+            methods: table(context, methods),
+            steps: told.map(|method| steps(context, method)).collect(),
+        })
+    }
+}
+
+fn table(context: &Context<'_>, methods: &[HomingMethod]) -> Table {
+    let titles = [
+        "No.",
+        "Method",
+        "Vendor's name",
+        "Starts",
+        "Looks for",
+        "Index pulse",
+        "Parameters",
+        "Notes",
+        "Source",
+    ];
+    Table::of(titles, methods, |method| {
+        let numbers = [method.number].into_iter().chain(method.aliases.iter().copied());
+        let id = context.id(&format!("homing-{}", method.number));
+        [
+            format!("{}{}", anchor(id), list(numbers.map(code))),
+            format!("**{}**", text(&method.name)),
+            method.method.as_deref().map_or(String::new(), text),
+            method.direction.map_or("", way).into(),
+            context.optional(method.target.as_deref()),
+            if method.pulse { "✓".into() } else { String::new() },
+            list(method.parameters.iter().map(code)),
+            context.optional(method.about.as_deref()),
+            context.source(method.source.as_ref()),
+        ]
+    })
+}
+
+fn way(way: Way) -> &'static str {
+    match way {
+        Way::Positive => "positive",
+        Way::Negative => "negative",
+    }
+}
+
+fn steps(context: &Context<'_>, method: &HomingMethod) -> StepsView {
+    let prose = |steps: &[String]| steps.iter().map(|step| context.prose(step)).collect();
+    let main = CaseView { when: String::new(), steps: prose(&method.steps) };
+    let others = method.alternatives.iter();
+    let others = others.map(|one| CaseView { when: context.prose(&one.when), steps: prose(&one.steps) });
+    StepsView {
+        title: format!("{} {}", method.number, text(&method.name)),
+        cases: [main].into_iter().chain(others).filter(|one| !one.steps.is_empty()).collect(),
+    }
+}

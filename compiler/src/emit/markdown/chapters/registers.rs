@@ -1,0 +1,94 @@
+//! Registers of the EtherCAT slave controller, and the bytes of messages.
+
+use serde::Serialize;
+
+use super::words;
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::document::Chapter;
+use crate::emit::markdown::inline::{code, text};
+use crate::emit::markdown::number::bytes;
+use crate::emit::markdown::table::Table;
+use crate::model::{Register, RegisterAccess, Telegram};
+
+#[derive(Serialize)]
+pub(in crate::emit::markdown) struct View {
+    registers: Table,
+    bits: Vec<FieldsView>,
+    telegrams: Vec<FieldsView>,
+}
+
+/// The bits of a register, or the bytes of a message.
+#[derive(Serialize)]
+struct FieldsView {
+    title: String,
+    about: String,
+    fields: Table,
+    source: String,
+}
+
+impl Chapter for View {
+    const ID: &'static str = "registers";
+    const TITLE: &'static str = "Registers and messages";
+    const TEMPLATE: &'static str = include_str!("../templates/registers.md.j2");
+
+    fn view(context: &Context<'_>) -> Option<Self> {
+        let device = context.device;
+        let with_bits = device.registers.iter().filter(|register| !register.fields.is_empty());
+        (!device.registers.is_empty() || !device.telegrams.is_empty()).then(|| Self {
+            registers: registers(context),
+            bits: with_bits.map(|register| bits(context, register)).collect(),
+            telegrams: device.telegrams.iter().map(|telegram| message(context, telegram)).collect(),
+        })
+    }
+}
+
+fn registers(context: &Context<'_>) -> Table {
+    let titles = ["Address", "Register", "Length", "Master", "Drive", "Notes", "Source"];
+    Table::of(titles, &context.device.registers, |register| {
+        [
+            hex(register.address),
+            format!("**{}**", text(&register.name)),
+            bytes(register.length.into()),
+            access(register.ecat).into(),
+            access(register.drive).into(),
+            context.optional(register.about.as_deref()),
+            context.source(register.source.as_ref()),
+        ]
+    })
+}
+
+fn hex(address: u16) -> String {
+    code(format!("0x{address:04X}"))
+}
+
+fn access(access: RegisterAccess) -> &'static str {
+    match access {
+        RegisterAccess::None => "–",
+        RegisterAccess::R => "r",
+        RegisterAccess::W => "w",
+        RegisterAccess::Rw => "rw",
+    }
+}
+
+fn bits(context: &Context<'_>, register: &Register) -> FieldsView {
+    FieldsView {
+        title: format!("{} {}", hex(register.address), text(&register.name)),
+        about: String::new(),
+        fields: fields(context, "Bit", &register.fields),
+        source: String::new(),
+    }
+}
+
+fn message(context: &Context<'_>, telegram: &Telegram) -> FieldsView {
+    let address = telegram.address.map_or(String::new(), |address| format!(" at {}", hex(address)));
+    FieldsView {
+        title: format!("{}{address}", text(&telegram.name)),
+        about: context.paragraphs(telegram.about.as_deref()),
+        fields: fields(context, "Byte", &telegram.fields),
+        source: context.source_line(telegram.source.as_ref()),
+    }
+}
+
+fn fields(context: &Context<'_>, title: &str, fields: &[crate::model::Field]) -> Table {
+    words::table(title, fields, |field| words::statements(context, field).join("<br>"))
+}

@@ -1,0 +1,115 @@
+//! The reference: what makes it a document that people can use, for every description that is shipped.
+
+#![cfg(test)]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use devc::emit::Emitter;
+use devc::emit::markdown::Markdown;
+use devc::model::Family;
+use devc::source::{Disk, Memory};
+
+/// A description with next to nothing in it, whose chapters are empty.
+const BARE: &str = "
+[device]
+name = \"Bare | <b>\"
+vendor = \"Nobody\"
+
+[identity]
+vendor-id = 1
+product-code = 1
+revision = 1
+";
+
+/// Every shipped family with its reference.
+fn references() -> Vec<(Family, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices");
+    let mut folders: Vec<PathBuf> =
+        fs::read_dir(root).unwrap().map(|folder| folder.unwrap().path()).collect();
+    folders.sort();
+    let compiled = folders.iter().map(|folder| {
+        let family = devc::compile(&Disk, folder).family.unwrap_or_else(|| panic!("{}", folder.display()));
+        let text = Markdown.emit(&family);
+        (Family::clone(&family), text)
+    });
+    compiled.collect()
+}
+
+/// What stands between `open` and `close`, each time.
+fn between<'a>(text: &'a str, open: &'a str, close: char) -> impl Iterator<Item = &'a str> {
+    text.split(open).skip(1).filter_map(move |rest| rest.split(close).next())
+}
+
+#[test]
+fn every_chapter_can_be_printed() {
+    for (family, text) in references() {
+        assert!(!text.contains("could not print"), "{}", family.id);
+    }
+}
+
+#[test]
+fn every_link_leads_somewhere_and_every_anchor_is_unique() {
+    for (family, text) in references() {
+        let mut anchors = BTreeSet::new();
+        for anchor in between(&text, "<a id=\"", '"') {
+            assert!(anchors.insert(anchor), "{}: anchor {anchor} twice", family.id);
+        }
+        for link in between(&text, "](#", ')') {
+            assert!(anchors.contains(link), "{}: nothing at #{link}", family.id);
+        }
+    }
+}
+
+#[test]
+fn every_row_has_the_cells_of_its_table() {
+    let cells = |line: &str| line.replace("\\|", "").matches('|').count();
+    for (family, text) in references() {
+        let lines: Vec<&str> = text.lines().collect();
+        for pair in lines.windows(2) {
+            if pair.iter().all(|line| line.starts_with('|')) {
+                assert_eq!(cells(pair[0]), cells(pair[1]), "{}: {pair:#?}", family.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_object_pdo_and_error_is_there() {
+    for (family, text) in references() {
+        for device in &family.members {
+            let objects = device.objects.iter().map(|object| object.index);
+            let pdos = device.pdos.iter().map(|pdo| pdo.index);
+            for index in objects.chain(pdos) {
+                assert!(text.contains(&format!("`{index}`")), "{}: {index} is missing", device.id);
+            }
+            for error in &device.errors {
+                assert!(text.contains(&format!("`0x{:04X}`", error.code)), "{}: {error:?}", device.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_sums_of_the_c887_are_those_of_its_manual() {
+    let (_, text) = references().into_iter().find(|(family, _)| family.id == "c887").unwrap();
+    assert!(text.contains("image of 42\u{A0}bytes"), "outputs");
+    assert!(text.contains("image of 66\u{A0}bytes"), "inputs");
+    assert!(text.contains("| 1\u{A0}ms | **14\u{A0}ms** |"), "dead time");
+    assert!(text.contains("| 2\u{A0}ms | **18\u{A0}ms** |"), "dead time");
+    assert!(text.contains("12.5 mm ↔ 1\u{202F}250\u{202F}000"), "scaling");
+}
+
+#[test]
+fn what_is_empty_vanishes_with_its_line_of_the_contents() {
+    let loader = Memory::new().with("/bare/device.toml", BARE);
+    let compilation = devc::compile(&loader, Path::new("/bare"));
+    let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
+    let text = Markdown.emit(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")));
+    let chapters: Vec<&str> = text.lines().filter(|line| line.starts_with("## ")).collect();
+    assert!(chapters.contains(&"## <a id=\"device\"></a>Device"), "{text}");
+    assert!(!text.contains("Modes of operation") && !text.contains("Errors"), "{text}");
+    assert!(text.contains(r"# Bare \| \<b>"), "{text}");
+    assert_eq!(chapters.len() - 1, text.lines().filter(|line| line.starts_with("- [")).count(), "{text}");
+}
