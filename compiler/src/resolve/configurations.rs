@@ -1,6 +1,7 @@
 //! Choices of process data and mode.
 
 use super::context::Context;
+use super::derived::Basis;
 use super::{facts, names, pdos, startup};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Configuration, Index, Object, Pdo};
@@ -10,23 +11,23 @@ use crate::raw::{Duration, Entity, RawConfiguration, RawMapped};
 pub(super) fn configurations(
     context: &mut Context<'_>,
     raw: Vec<Entity<RawConfiguration>>,
-    pdos: &[Pdo],
     objects: &[Object],
+    basis: &Basis<'_>,
 ) -> Vec<Configuration> {
-    raw.into_iter().map(|entity| configuration(context, entity, pdos, objects)).collect()
+    raw.into_iter().map(|entity| configuration(context, entity, objects, basis)).collect()
 }
 
 fn configuration(
     context: &mut Context<'_>,
     entity: Entity<RawConfiguration>,
-    pdos: &[Pdo],
     objects: &[Object],
+    basis: &Basis<'_>,
 ) -> Configuration {
-    let outputs = assigned(context, &entity, "outputs", entity.raw.outputs.as_deref(), pdos);
-    let inputs = assigned(context, &entity, "inputs", entity.raw.inputs.as_deref(), pdos);
+    let outputs = assigned(context, &entity, "outputs", entity.raw.outputs.as_deref(), basis.pdos);
+    let inputs = assigned(context, &entity, "inputs", entity.raw.inputs.as_deref(), basis.pdos);
     let mut mapping = Vec::new();
     for (key, entries) in &entity.raw.mapping {
-        mapping.extend(remapped(context, &entity, key, entries, pdos, objects));
+        mapping.extend(remapped(context, &entity, key, entries, basis.pdos, objects));
     }
     let Entity { key, raw, facts, origin } = entity;
     let mut configuration = Configuration {
@@ -42,7 +43,7 @@ fn configuration(
         source: facts::source(context, &facts),
         origin,
     };
-    configuration.startup = startup::startup(context, &configuration);
+    configuration.startup = startup::startup(context, &configuration, objects, basis.mailbox);
     configuration
 }
 
@@ -69,7 +70,7 @@ fn unknown_pdo(context: &mut Context<'_>, text: &str, at: crate::source::Locatio
     context.diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not described"));
 }
 
-/// A PDO as the configuration maps it.
+/// A PDO as the configuration maps it; with a PDO of the first axis, those of the others.
 fn remapped(
     context: &mut Context<'_>,
     entity: &Entity<RawConfiguration>,
@@ -77,12 +78,19 @@ fn remapped(
     entries: &[RawMapped],
     pdos: &[Pdo],
     objects: &[Object],
-) -> Option<Pdo> {
+) -> Vec<Pdo> {
     let path = format!("mapping.{key}");
-    let Some(pdo) = names::index(key).and_then(|index| pdos.iter().find(|pdo| pdo.index == index)) else {
+    let Some(named) = names::index(key).and_then(|index| pdos.iter().find(|pdo| pdo.index == index)) else {
         unknown_pdo(context, key, entity.origin.value(&path));
-        return None;
+        return Vec::new();
     };
-    let mapped = pdos::mapped(context, entries, &entity.origin, &path, pdo.axis, objects);
-    Some(Pdo { entries: mapped, ..pdo.clone() })
+    // The copies of a PDO stand at one place in the description.
+    let place = named.origin.header();
+    let copies = |pdo: &&Pdo| named.axis == Some(0) && pdo.origin.header() == place;
+    let mut remapped = Vec::new();
+    for pdo in pdos.iter().filter(|pdo| pdo.index == named.index || copies(pdo)) {
+        let entries = pdos::mapped(context, entries, &entity.origin, &path, pdo.axis, objects);
+        remapped.push(Pdo { entries, total: None, about: None, ..pdo.clone() });
+    }
+    remapped
 }

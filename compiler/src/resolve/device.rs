@@ -42,6 +42,7 @@ pub(super) fn device(raw: RawDevice, sources: &Sources, diagnostics: &mut Diagno
         origin: &raw.head.origin,
     };
     let objects = derived::dictionary(context, described, &basis);
+    let configurations = configurations::configurations(context, raw.configurations, &objects, &basis);
 
     let states = states::states(context, raw.states);
     let state_ids: Vec<String> = states.iter().map(|state| state.id.clone()).collect();
@@ -104,7 +105,7 @@ pub(super) fn device(raw: RawDevice, sources: &Sources, diagnostics: &mut Diagno
         registers: registers::registers(context, raw.registers),
         al_status_codes: registers::al_status_codes(context, raw.al_status_codes),
         telegrams: registers::telegrams(context, raw.telegrams),
-        configurations: configurations::configurations(context, raw.configurations, &pdos, &objects),
+        configurations,
         limits: front::limits(context, raw.limits),
         coordinates: context.names.coordinates(),
         master_settings: front::master_settings(context, raw.master_settings),

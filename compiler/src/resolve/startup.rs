@@ -1,26 +1,47 @@
 //! The writes through the mailbox that bring a configuration about.
 //!
 //! The order is the one that ETG.1020 asks for: assignments are cleared before mappings change, and a count
-//! is written after what it counts.
+//! is written after what it counts. What the mailbox does not let a master write is not in it.
 
 use super::context::Context;
-use crate::model::{Address, Configuration, Direction, Index, Mapped, Pdo, SdoWrite};
+use crate::model::{Address, Configuration, Direction, Index, Mailbox, Mapped, Object, Pdo, SdoWrite};
 
 const OUTPUTS: Index = Index(0x1C12);
 const INPUTS: Index = Index(0x1C13);
 
 /// The start-up list of a configuration, in order.
-pub(super) fn startup(context: &Context<'_>, configuration: &Configuration) -> Vec<SdoWrite> {
+pub(super) fn startup(
+    context: &Context<'_>,
+    configuration: &Configuration,
+    objects: &[Object],
+    mailbox: Option<&Mailbox>,
+) -> Vec<SdoWrite> {
+    let assigns = mailbox.is_none_or(|mailbox| mailbox.pdo_assign);
+    let maps = mailbox.is_none_or(|mailbox| mailbox.pdo_config);
     let assignments = [(OUTPUTS, &configuration.outputs), (INPUTS, &configuration.inputs)];
-    let chosen = || assignments.iter().filter_map(|(index, pdos)| pdos.as_ref().map(|pdos| (*index, pdos)));
+    let chosen = || {
+        let chosen = assignments.iter().filter(|_| assigns);
+        chosen.filter_map(|(index, pdos)| pdos.as_ref().map(|pdos| (*index, pdos)))
+    };
     let mut writes: Vec<SdoWrite> =
         chosen().map(|(index, _)| count(index, 0, format!("clear the assignment {index}"))).collect();
-    writes.extend(of(configuration, Direction::Tx).flat_map(mapping));
-    writes.extend(of(configuration, Direction::Rx).flat_map(mapping));
+    if maps {
+        writes.extend(of(configuration, Direction::Tx).flat_map(mapping));
+        writes.extend(of(configuration, Direction::Rx).flat_map(mapping));
+    }
     writes.extend(chosen().flat_map(|(index, pdos)| assignment(index, pdos)));
-    writes.extend(mode(context, configuration));
-    writes.extend(cycle(context, configuration));
+    for axis in &context.axes {
+        writes.extend(mode(configuration, on_axis(context, objects, "0x6060", axis.number)));
+        writes.extend(cycle(configuration, on_axis(context, objects, "0x60C2", axis.number)));
+    }
     writes
+}
+
+/// Where an object lies on an axis, if it does anything there.
+fn on_axis(context: &Context<'_>, objects: &[Object], text: &str, axis: u8) -> Option<Index> {
+    let address = context.names.find(text).ok()?;
+    let index = context.on_axis(address, Some(axis)).index;
+    objects.iter().any(|object| object.index == index && object.functional).then_some(index)
 }
 
 fn of(configuration: &Configuration, direction: Direction) -> impl Iterator<Item = &Pdo> {
@@ -65,16 +86,16 @@ fn assignment(index: Index, pdos: &[Index]) -> Vec<SdoWrite> {
     writes
 }
 
-fn mode(context: &Context<'_>, configuration: &Configuration) -> Option<SdoWrite> {
+fn mode(configuration: &Configuration, index: Option<Index>) -> Option<SdoWrite> {
     let mode = i8::try_from(configuration.mode?).ok()?;
-    let address = context.names.find("0x6060").ok()?;
-    Some(write(address.index, 0, mode.to_le_bytes().to_vec(), "mode of operation".to_owned()))
+    Some(write(index?, 0, mode.to_le_bytes().to_vec(), "mode of operation".to_owned()))
 }
 
 /// 0x60C2 counts in powers of ten of a second: the largest unit in which the time is a whole number.
-fn cycle(context: &Context<'_>, configuration: &Configuration) -> Vec<SdoWrite> {
-    let Some(ns) = configuration.cycle_ns.filter(|ns| *ns > 0) else { return Vec::new() };
-    let Ok(address) = context.names.find("0x60C2") else { return Vec::new() };
+fn cycle(configuration: &Configuration, index: Option<Index>) -> Vec<SdoWrite> {
+    let (Some(ns), Some(index)) = (configuration.cycle_ns.filter(|ns| *ns > 0), index) else {
+        return Vec::new();
+    };
     let mut count = ns;
     let mut exponent = -9_i8;
     while count.is_multiple_of(10) && exponent < -3 {
@@ -82,7 +103,6 @@ fn cycle(context: &Context<'_>, configuration: &Configuration) -> Vec<SdoWrite> 
         exponent += 1;
     }
     let Ok(count) = u8::try_from(count) else { return Vec::new() };
-    let index = address.index;
     vec![
         write(index, 1, vec![count], "interpolation time period".to_owned()),
         write(index, 2, exponent.to_le_bytes().to_vec(), "its power of ten in seconds".to_owned()),
