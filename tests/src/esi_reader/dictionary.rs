@@ -37,6 +37,8 @@ pub struct SubItem {
     pub subindex: Option<u8>,
     /// Its name.
     pub name: String,
+    /// What people should know.
+    pub comment: Option<String>,
     /// Its type.
     pub type_name: String,
     /// The width in bits.
@@ -67,6 +69,8 @@ pub struct Object {
     pub index: u16,
     /// Its name.
     pub name: String,
+    /// What people should know.
+    pub comment: Option<String>,
     /// Its type.
     pub type_name: String,
     /// The width in bits.
@@ -245,6 +249,7 @@ fn sub_item(node: Node<'_, '_>) -> Result<SubItem, String> {
     Ok(SubItem {
         subindex: optional_number(node, "SubIdx")?,
         name: text(node, "Name")?,
+        comment: optional_text(node, "Comment")?,
         type_name: text(node, "Type")?,
         bits: number(node, "BitSize")?,
         offset: number(node, "BitOffs")?,
@@ -260,6 +265,7 @@ fn object(node: Node<'_, '_>) -> Result<Object, String> {
     Ok(Object {
         index: number(node, "Index")?,
         name: text(node, "Name")?,
+        comment: optional_text(node, "Comment")?,
         type_name: text(node, "Type")?,
         bits: number(node, "BitSize")?,
         info: optional(node, "Info")?.map(info).transpose()?.unwrap_or_default(),

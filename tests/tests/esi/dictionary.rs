@@ -158,3 +158,26 @@ fn names_that_repeat_are_told_apart_by_subindex() {
     let names: Vec<_> = dictionary.values(object).unwrap().into_iter().map(|value| value.name).collect();
     assert_eq!(names[1..], ["Reserved", "Level", "Reserved (3)", "Reserved (4)", "Switch", "Lamp", "Label"]);
 }
+
+#[test]
+fn what_people_should_know_is_in_the_comments() {
+    let line = |text: &String| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            for (object, read, _) in objects(model, read) {
+                let comment = read.comment.clone().unwrap_or_default();
+                let known = object.about.iter().chain(&object.note).map(line);
+                known.for_each(|text| assert!(comment.contains(&text), "{}: {comment}", object.index));
+                assert_eq!(comment.contains("Without function"), !object.functional, "{}", object.index);
+            }
+        }
+    }
+}
+
+#[test]
+fn members_have_comments_of_their_own() {
+    let subject = corners();
+    let members = &subject.esi.devices[0].dictionary.types["DT6802"].items;
+    assert_eq!(members[1].comment.as_deref(), Some("does nothing here"));
+    assert_eq!(members[2].comment.as_deref(), Some("Idle. Without function; exists for compatibility only."));
+}

@@ -26,7 +26,7 @@ impl Element {
 
     /// An element with a value in it.
     pub(super) fn leaf(name: &'static str, value: impl Display) -> Self {
-        Self { text: Some(printable(&value.to_string())), ..Self::new(name) }
+        Self { text: Some(printable(value)), ..Self::new(name) }
     }
 
     /// An element with a text for people in it.
@@ -36,7 +36,7 @@ impl Element {
 
     /// Adds an attribute.
     pub(super) fn with(mut self, name: &'static str, value: impl Display) -> Self {
-        self.attributes.push((name, printable(&value.to_string())));
+        self.attributes.push((name, printable(value)));
         self
     }
 
@@ -102,10 +102,13 @@ pub(super) fn document(heading: &str, root: &Element) -> String {
 }
 
 /// The text as XML 1.0 can hold it: characters that it bans, such as NUL, become replacement characters.
-fn printable(text: &str) -> String {
-    let allowed =
-        |c: char| !matches!(c, '\0'..='\x08' | '\x0B' | '\x0C' | '\x0E'..='\x1F' | '\u{FFFE}' | '\u{FFFF}');
-    text.chars().map(|c| if allowed(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
+fn printable(text: impl Display) -> String {
+    let text = text.to_string();
+    if text.contains(banned) { text.replace(banned, "\u{FFFD}") } else { text }
+}
+
+fn banned(c: char) -> bool {
+    matches!(c, '\0'..='\x08' | '\x0B' | '\x0C' | '\x0E'..='\x1F' | '\u{FFFE}' | '\u{FFFF}')
 }
 
 /// The text as a comment can hold it: two hyphens would end it, so a space parts them.
@@ -118,4 +121,29 @@ fn comment(text: &str) -> String {
         parted.push(c);
     }
     parted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Element, document};
+
+    #[test]
+    fn markup_in_values_is_escaped() {
+        let root = Element::new("A").with("b", "\"<&>\"").child(Element::leaf("C", "<&>"));
+        let expected = "<A b=\"&quot;&lt;&amp;&gt;&quot;\">\n  <C>&lt;&amp;&gt;</C>\n</A>\n";
+        assert_eq!(document("", &root).split_once("-->\n").unwrap().1, expected);
+    }
+
+    #[test]
+    fn what_xml_bans_is_replaced() {
+        let text = document("nul \0", &Element::leaf("A", "bell \x07, tab \t"));
+        assert!(text.contains("nul \u{FFFD}"), "{text}");
+        assert!(text.contains("bell \u{FFFD}, tab \t"), "{text}");
+    }
+
+    #[test]
+    fn a_comment_ends_where_the_text_ends() {
+        let text = document("a --> b --- c\n", &Element::new("A"));
+        assert!(text.contains("<!--a - -> b - - - c\n-->\n<A/>"), "{text}");
+    }
 }

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use super::element::Element;
-
 /// A number in hexadecimal with all digits of its type, as `#x6040`.
 pub(super) struct Hex<T>(pub(super) T);
 
@@ -37,15 +35,4 @@ impl fmt::Display for Bytes<'_> {
 /// A text in several lines as one line.
 pub(super) fn prose(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// What people should know, in one comment without repetition.
-pub(super) fn comment<'a>(texts: impl IntoIterator<Item = &'a Option<String>>) -> Option<Element> {
-    let mut parts: Vec<String> = Vec::new();
-    for text in texts.into_iter().flatten().map(|text| prose(text)) {
-        if !parts.contains(&text) {
-            parts.push(text);
-        }
-    }
-    (!parts.is_empty()).then(|| Element::worded("Comment", parts.join(" ")))
 }

@@ -2,31 +2,25 @@
 
 use super::composite::{Member, Shape};
 use super::element::Element;
-use super::flags;
-use super::literal::{Bytes, Hex, comment};
+use super::literal::{Bytes, Hex};
 use super::types::Types;
+use super::{comment, flags};
 use crate::model::{Object, Value};
 
 /// An object.
-pub(super) fn object(object: &Object, types: &Types) -> Element {
-    let shape = Shape::of(object);
+pub(super) fn object(object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
+    let only = match shape {
+        Shape::Var(only) => Some(only.entry),
+        Shape::Array(_) | Shape::Record(_) => None,
+    };
     Element::new("Object")
         .child(Element::leaf("Index", Hex(object.index.0)))
         .child(Element::worded("Name", &object.name))
-        .child(remarks(object, &shape))
-        .child(Element::leaf("Type", types.name_of(object)))
+        .child(comment::of_object(object, only))
+        .child(Element::leaf("Type", types.name_of(object, shape)))
         .child(Element::leaf("BitSize", shape.bits()))
-        .child(info(&shape))
+        .child(info(shape))
         .child(flags::of_object(object))
-}
-
-/// What is to be said of the object, and of its value if it has but one.
-fn remarks(object: &Object, shape: &Shape<'_>) -> Option<Element> {
-    let own = match shape {
-        Shape::Var(only) => [&only.entry.about, &only.entry.note],
-        Shape::Array(_) | Shape::Record(_) => [&None, &None],
-    };
-    comment([&object.about, &object.note].into_iter().chain(own))
 }
 
 /// The values of an object: its own, or those of every member in order.

@@ -1,5 +1,6 @@
 //! `Profile`: the drive profile, a channel for each axis, and the object dictionary.
 
+use super::composite::Shape;
 use super::element::Element;
 use super::objects;
 use super::types::Types;
@@ -7,10 +8,11 @@ use crate::model::{Address, Device, Index};
 
 /// The profile with the dictionary.
 pub(super) fn profile(device: &Device) -> Element {
-    let types = Types::of(device);
-    let dictionary = Element::new("Dictionary")
-        .child(types.declarations())
-        .child(Element::new("Objects").children(device.objects.iter().map(|it| objects::object(it, &types))));
+    let shapes: Vec<_> = device.objects.iter().map(|object| (object, Shape::of(object))).collect();
+    let types = Types::of(device, &shapes);
+    let objects = shapes.iter().map(|(object, shape)| objects::object(object, shape, &types));
+    let objects = Element::new("Objects").children(objects);
+    let dictionary = Element::new("Dictionary").child(types.declarations()).child(objects);
     Element::new("Profile").children(number(device)).children(channels(device)).child(dictionary)
 }
 

@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 use super::composite::{Member, Shape};
 use super::element::Element;
 use super::enumeration::Enumeration;
-use super::literal::comment;
-use super::{flags, primitive};
+use super::{comment, flags, primitive};
 use crate::model::{Device, Index, Object};
 
 /// The types of a dictionary by name.
@@ -18,30 +17,30 @@ pub(super) struct Types {
     enumerations: Vec<Enumeration>,
     /// Composite types with all that they are made of, by the object they are named after.
     composites: BTreeMap<Index, Vec<Element>>,
-    /// The object that the type of an object is named after, for those with a composite type.
-    named_after: BTreeMap<Index, Index>,
+    /// Objects that share the composite type of another, by index, with that other.
+    shared: BTreeMap<Index, Index>,
 }
 
 impl Types {
     /// The types of all objects.
-    pub(super) fn of(device: &Device) -> Self {
+    pub(super) fn of(device: &Device, objects: &[(&Object, Shape<'_>)]) -> Self {
         let mut types = Self::default();
-        for object in &device.objects {
-            for member in Shape::of(object).members() {
-                types.learn(member);
-            }
+        for member in objects.iter().flat_map(|(_, shape)| shape.members()) {
+            types.learn(member);
         }
-        for object in &device.objects {
-            types.compose(object, first_of_its_kind(device, object));
+        for (object, shape) in objects {
+            types.compose(object, shape, first_of_its_kind(device, object));
         }
         types
     }
 
     /// The type of an object.
-    pub(super) fn name_of(&self, object: &Object) -> String {
-        match (self.named_after.get(&object.index), Shape::of(object)) {
-            (None, Shape::Var(only)) => self.name_of_member(&only),
-            (index, _) => name(*index.unwrap_or(&object.index)),
+    pub(super) fn name_of(&self, object: &Object, shape: &Shape<'_>) -> String {
+        match shape {
+            Shape::Var(only) => self.name_of_member(only),
+            Shape::Array(_) | Shape::Record(_) => {
+                name(*self.shared.get(&object.index).unwrap_or(&object.index))
+            }
         }
     }
 
@@ -63,26 +62,23 @@ impl Types {
 
     /// Declares the composite type of an object, if it needs one: that of the object it repeats if it is the
     /// same, else one of its own.
-    fn compose(&mut self, object: &Object, first: Index) {
-        let shape = Shape::of(object);
+    fn compose(&mut self, object: &Object, shape: &Shape<'_>, first: Index) {
         if matches!(shape, Shape::Var(_)) {
             return;
         }
-        let same = self.composites.get(&first) == Some(&self.composite(&shape, first));
-        let index = if same { first } else { object.index };
-        self.named_after.insert(object.index, index);
-        if !same {
-            self.composites.insert(index, self.composite(&shape, index));
+        let composite = self.composite(shape, first);
+        if self.composites.get(&first) == Some(&composite) {
+            self.shared.insert(object.index, first);
+            return;
         }
+        let own = if first == object.index { composite } else { self.composite(shape, object.index) };
+        self.composites.insert(object.index, own);
     }
 
     fn name_of_member(&self, member: &Member<'_>) -> String {
-        let enumeration = Enumeration::of(member);
-        let mut known = self.enumerations.iter().enumerate();
-        match known.find(|(_, known)| Some(*known) == enumeration.as_ref()) {
-            Some((number, enumeration)) => enumeration.name(number),
-            None => primitive::name(member.data_type),
-        }
+        let Some(enumeration) = Enumeration::of(member) else { return primitive::name(member.data_type) };
+        let number = self.enumerations.iter().position(|known| *known == enumeration);
+        number.map_or_else(|| primitive::name(member.data_type), |number| enumeration.name(number))
     }
 
     /// The declarations of a composite type under the name of `index`.
@@ -127,7 +123,7 @@ impl Types {
             .child(Element::leaf("SubIdx", entry.address.subindex))
             .child(Element::leaf("Name", &member.name))
             .child(Element::leaf("Type", self.name_of_member(member)))
-            .child(comment([&entry.about, &entry.note]))
+            .child(comment::of_entry(entry))
             .child(Element::leaf("BitSize", member.data_type.bits()))
             .child(Element::leaf("BitOffs", member.offset))
             .child(flags::of_entry(entry))
