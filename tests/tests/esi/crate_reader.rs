@@ -28,7 +28,7 @@ fn read(subject: &Subject) -> EtherCatInfo {
 #[test]
 fn it_finds_the_identity_of_the_model() {
     for subject in subjects() {
-        let info = read(&subject);
+        let info = read(subject);
         assert_eq!(info.vendor.id, subject.family.members[0].identity.vendor_id);
         assert_eq!(info.vendor.name.as_deref(), Some(subject.family.members[0].vendor.as_str()));
         assert_eq!(info.description.devices.len(), subject.family.members.len());
@@ -44,7 +44,7 @@ fn it_finds_the_identity_of_the_model() {
 #[test]
 fn it_finds_the_sync_managers_of_the_model() {
     for subject in subjects() {
-        for (model, device) in subject.family.members.iter().zip(&read(&subject).description.devices) {
+        for (model, device) in subject.family.members.iter().zip(&read(subject).description.devices) {
             let found =
                 device.sm.iter().map(|it| (it.start_address, it.control_byte, it.default_size, it.enable));
             let expected = model
@@ -59,7 +59,7 @@ fn it_finds_the_sync_managers_of_the_model() {
 #[test]
 fn it_finds_the_pdos_of_the_model() {
     for subject in subjects() {
-        for (model, device) in subject.family.members.iter().zip(&read(&subject).description.devices) {
+        for (model, device) in subject.family.members.iter().zip(&read(subject).description.devices) {
             let found = device.rx_pdo.iter().chain(&device.tx_pdo);
             let expected = model.pdos_of(Direction::Rx).chain(model.pdos_of(Direction::Tx));
             let (found, expected): (Vec<_>, Vec<_>) = (found.collect(), expected.collect());

@@ -3,7 +3,7 @@
 use devc::model::{Device, Direction, Pdo};
 use devc_tests::esi_reader;
 
-use crate::subjects::{corners, subjects};
+use crate::subjects::{corners, named, subjects};
 
 /// PDOs of the model with what the file says of them, and the number of their sync manager.
 fn pdos<'a>(
@@ -62,27 +62,68 @@ fn mapped_entries_are_those_of_the_model() {
     }
 }
 
+/// What a file maps in another way than its dictionary has it: index of the object, and what is wrong.
+fn contradictions(model: &Device, read: &esi_reader::Device) -> Vec<(u16, &'static str)> {
+    let objects = read.dictionary.objects.iter();
+    let values: Vec<_> = objects.flat_map(|object| read.dictionary.values(object).unwrap()).collect();
+    let mut found = Vec::new();
+    for (_, pdo, manager) in pdos(model, read) {
+        for entry in pdo.entries.iter().filter(|entry| entry.index != 0) {
+            let value =
+                values.iter().find(|it| (it.index, Some(it.subindex)) == (entry.index, entry.subindex));
+            let direction = if manager == 2 { 'R' } else { 'T' };
+            let mapping = value.and_then(|value| value.flags.pdo_mapping.clone()).unwrap_or_default();
+            let fault = match value {
+                None => Some("missing"),
+                Some(value) if value.bits != entry.bits => Some("width"),
+                Some(value) if Some(&value.basic_type) != entry.data_type.as_ref() => Some("type"),
+                Some(_) if !mapping.contains(direction) => Some("direction"),
+                Some(_) => None,
+            };
+            // A type that is not that of the dictionary would mislead more than none.
+            assert!(
+                fault.is_none_or(|fault| fault == "direction" || entry.data_type.is_none()),
+                "{:04X}",
+                entry.index
+            );
+            found.extend(fault.map(|fault| (entry.index, fault)));
+        }
+    }
+    found
+}
+
 #[test]
 fn mapped_entries_are_in_the_dictionary_with_their_type_and_direction() {
+    // The manual of the C-887 maps two objects of a mode that the device does not have.
+    let profile_position = (0..6).flat_map(|axis| [0x6081 + axis * 0x800, 0x6083 + axis * 0x800]);
+    let known =
+        [("c887", profile_position.map(|index| (index, "missing")).collect()), ("corners", Vec::new())];
+    for (family, expected) in known {
+        for (model, read) in named(family).devices() {
+            assert_eq!(contradictions(model, read), expected, "{family}");
+        }
+    }
+}
+
+#[test]
+fn what_a_file_maps_in_another_way_than_its_dictionary_has_it_is_in_the_model() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
-            let objects = read.dictionary.objects.iter();
-            let values: Vec<_> = objects.flat_map(|object| read.dictionary.values(object).unwrap()).collect();
-            for (pdo, read, manager) in pdos(model, read) {
-                for entry in read.entries.iter().filter(|entry| entry.index != 0) {
-                    let value = values
-                        .iter()
-                        .find(|it| (it.index, Some(it.subindex)) == (entry.index, entry.subindex));
-                    // The model itself leaves the type out where a description maps what it does not have.
-                    let Some(value) = value else {
-                        assert_eq!(entry.data_type, None, "{:04X} in {}", entry.index, pdo.index);
-                        continue;
-                    };
-                    assert_eq!(entry.data_type.as_ref(), Some(&value.basic_type), "{:04X}", entry.index);
-                    assert_eq!(entry.bits, value.bits, "{:04X}", entry.index);
-                    let mapping = value.flags.pdo_mapping.as_deref().unwrap_or_default();
-                    assert!(mapping.contains(if manager == 2 { 'R' } else { 'T' }), "{:04X}", entry.index);
-                }
+            for (index, fault) in contradictions(model, read) {
+                let mut mapped = model
+                    .pdos
+                    .iter()
+                    .flat_map(|pdo| &pdo.entries)
+                    .filter(|it| it.address.is_some_and(|address| address.index.0 == index));
+                let as_in_the_file = mapped.any(|mapped| {
+                    match (fault, mapped.address.and_then(|address| model.entry(address))) {
+                        ("missing", entry) => entry.is_none(),
+                        ("width", Some(entry)) => mapped.bits != entry.data_type.bits(),
+                        ("direction", Some(entry)) => !(entry.pdo.rx() && entry.pdo.tx()),
+                        _ => false,
+                    }
+                });
+                assert!(as_in_the_file, "{}: {index:04X} {fault}", model.name);
             }
         }
     }
@@ -170,16 +211,15 @@ fn a_sync_manager_is_as_long_as_what_is_assigned_to_it() {
 }
 
 #[test]
-fn areas_do_not_overlap_even_with_three_buffers_of_the_longest_data() {
+fn areas_do_not_overlap_even_with_three_buffers() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
             let mut areas: Vec<_> = read
                 .sync_managers
                 .iter()
                 .map(|it| {
-                    let length = u32::from(it.max_size.unwrap_or(it.size).max(it.size));
                     let buffers = if it.control & 0b11 == 0 { 3 } else { 1 };
-                    (u32::from(it.address), u32::from(it.address) + buffers * length)
+                    (u32::from(it.address), u32::from(it.address) + buffers * u32::from(it.size))
                 })
                 .collect();
             areas.sort_unstable();

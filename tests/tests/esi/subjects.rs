@@ -1,6 +1,7 @@
 //! What is tested: every description that devc ships, and one that has what those have not.
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use devc::emit::Emitter;
 use devc::emit::esi::Esi as Writer;
@@ -27,16 +28,27 @@ impl Subject {
     }
 }
 
-/// All of them.
-pub(crate) fn subjects() -> Vec<Subject> {
+/// All of them, compiled once.
+static SUBJECTS: LazyLock<Vec<Subject>> = LazyLock::new(|| {
     let mut subjects: Vec<_> = shipped().iter().map(|folder| subject(&Disk, folder)).collect();
-    subjects.push(corners());
+    let corners = Memory::new().with("/corners/device.toml", CORNERS);
+    subjects.push(subject(&corners, Path::new("/corners")));
     subjects
+});
+
+/// All of them.
+pub(crate) fn subjects() -> &'static [Subject] {
+    &SUBJECTS
+}
+
+/// The one of this id.
+pub(crate) fn named(id: &str) -> &'static Subject {
+    subjects().iter().find(|subject| subject.family.id == id).unwrap()
 }
 
 /// The one with the corners.
-pub(crate) fn corners() -> Subject {
-    subject(&Memory::new().with("/corners/device.toml", CORNERS), Path::new("/corners"))
+pub(crate) fn corners() -> &'static Subject {
+    named("corners")
 }
 
 fn subject(loader: &dyn Loader, folder: &Path) -> Subject {

@@ -37,12 +37,14 @@ fn assigned_to<'a>(device: &'a Device, pdo: &Pdo) -> Option<&'a SyncManager> {
 
 fn entry(mapped: &Mapped) -> Element {
     let Some(address) = mapped.address else { return padding(mapped.bits) };
+    // A type of another width than the one mapped would move all that follows in tools that go by types.
+    let data_type = mapped.data_type.filter(|data_type| data_type.bits() == mapped.bits);
     Element::new("Entry")
         .child(Element::leaf("Index", Hex(address.index.0)))
         .child(Element::leaf("SubIndex", address.subindex))
         .child(Element::leaf("BitLen", mapped.bits))
         .child(Element::worded("Name", &mapped.name))
-        .child(mapped.data_type.map(|data_type| Element::leaf("DataType", primitive::name(data_type))))
+        .child(data_type.map(|data_type| Element::leaf("DataType", primitive::name(data_type))))
 }
 
 fn padding(bits: u32) -> Element {
