@@ -1,6 +1,5 @@
 //! How bad each rule is held to be.
 
-use super::report::Finding;
 use super::rules::unknown_rule;
 use crate::diagnostic::{Diagnostic, Group, Level, Rule};
 use crate::raw::LintSetting;
@@ -50,13 +49,9 @@ impl Levels {
         (diagnostic.level != Level::Allow).then_some(diagnostic)
     }
 
-    /// A finding for each name that neither a rule nor a group has.
-    pub(super) fn unknown(&self) -> impl Iterator<Item = Finding> {
-        self.settings.iter().filter_map(|setting| {
-            let place = setting.at?;
-            let diagnostic = unknown_rule::judge(&setting.name, place)?;
-            Some(Finding { at: format!("lints.{}", setting.name), diagnostic })
-        })
+    /// A message for each name that neither a rule nor a group has.
+    pub(super) fn unknown(&self) -> impl Iterator<Item = Diagnostic> {
+        self.settings.iter().filter_map(|setting| unknown_rule::judge(&setting.name, setting.at?))
     }
 }
 

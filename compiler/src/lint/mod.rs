@@ -13,6 +13,8 @@ pub use checked::Checked;
 pub use levels::Levels;
 pub use rules::ALL;
 
+use errata::Errata;
+
 pub(crate) use report::Report;
 
 use crate::diagnostic::{Diagnostics, Rule};
@@ -35,26 +37,28 @@ pub fn check(
     sources: &Sources,
     diagnostics: &mut Diagnostics,
 ) -> Option<Checked<Family>> {
-    for device in &family.members {
-        run(ALL.iter(), device, levels, sources, diagnostics);
-    }
+    run(ALL, &family, levels, sources, diagnostics);
     (!diagnostics.has_errors()).then_some(Checked(family))
 }
 
-/// Runs rules on a device, in any order.
+/// Runs rules on all members, in any order.
 fn run<'l>(
-    rules: impl Iterator<Item = &'l Lint>,
-    device: &Device,
+    rules: impl IntoIterator<Item = &'l Lint> + Clone,
+    family: &Family,
     levels: &Levels,
     sources: &Sources,
     diagnostics: &mut Diagnostics,
 ) {
-    let mut report = Report::new(sources);
-    for lint in rules {
-        (lint.check)(device, &mut report);
+    let mut errata = Errata::default();
+    for device in &family.members {
+        let mut report = Report::new(sources);
+        for lint in rules.clone() {
+            (lint.check)(device, &mut report);
+        }
+        let mut findings = report.finish();
+        errata.apply(device, &mut findings);
+        diagnostics.extend(findings.into_iter().filter_map(|finding| levels.judge(finding.diagnostic)));
     }
-    let mut findings = report.finish();
-    findings.extend(levels.unknown());
-    errata::apply(device, &mut findings);
-    diagnostics.extend(findings.into_iter().filter_map(|finding| levels.judge(finding.diagnostic)));
+    let beyond = errata.idle().chain(levels.unknown());
+    diagnostics.extend(beyond.filter_map(|diagnostic| levels.judge(diagnostic)));
 }

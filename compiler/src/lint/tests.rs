@@ -15,8 +15,8 @@ fn findings<'l>(rules: impl Iterator<Item = &'l Lint> + Clone) -> Diagnostics {
     let (mut family, levels) = resolved.expect("the description resolves");
     for device in &mut family.members {
         device.errata.clear();
-        run(rules.clone(), device, &levels, &compilation.sources, &mut compilation.diagnostics);
     }
+    run(rules, &family, &levels, &compilation.sources, &mut compilation.diagnostics);
     compilation.diagnostics.finish();
     compilation.diagnostics
 }

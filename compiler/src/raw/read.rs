@@ -7,6 +7,7 @@ use serde::de::DeserializeOwned;
 use super::decode::Reader;
 use super::{Entity, LintSetting, ObjectEntity, RawDevice, RawEntry, RawFacts, RawFamily, compose};
 use crate::diagnostic::{Diagnostic, Diagnostics, Level, faults};
+use crate::source::near::list;
 use crate::source::{Document, Location, Member, Node, Origin, Table, Value};
 
 /// Decodes a description: what its members share, and one [`RawDevice`] for each of them, or just one.
@@ -40,13 +41,34 @@ fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<
         return vec![(id.to_owned(), shared, removed)];
     };
     let Some(members) = table_of(&members.node, diagnostics) else { return Vec::new() };
-    let overlays = members.members.iter().filter_map(|member| {
-        let overlay = table_of(&member.node, diagnostics)?;
-        let own = overlay.get("without").map(|list| list.node.clone());
-        let removed = removed.iter().cloned().chain(own).collect();
-        Some((member.key.name.to_string(), overlay.over(&shared), removed))
+    let trees = members.members.iter().filter_map(|member| {
+        let own = table_of(&member.node, diagnostics)?;
+        let like = like(&own, &members, diagnostics);
+        let lists = [like.as_deref(), Some(&*own)].into_iter().flatten().filter_map(|t| t.get("without"));
+        let removed = removed.iter().cloned().chain(lists.map(|list| list.node.clone())).collect();
+        let mut tree = like.iter().fold(shared.clone(), |tree, like| like.over(&tree));
+        tree = own.over(&tree);
+        tree.members.retain(|section| &*section.key.name != "like");
+        Some((member.key.name.to_string(), tree, removed))
     });
-    overlays.collect()
+    trees.collect()
+}
+
+/// The member that another one is like; it must stand for itself.
+fn like(member: &Table, members: &Table, diagnostics: &mut Diagnostics) -> Option<Arc<Table>> {
+    let named = &member.get("like")?.node;
+    let found = match &named.value {
+        Value::String(name) => members.get(name).and_then(|other| other.node.table()),
+        _ => None,
+    };
+    let found = found.filter(|other| other.get("like").is_none()).cloned();
+    if found.is_none() {
+        let names: Vec<&str> = members.members.iter().map(|member| &*member.key.name).collect();
+        let message = "a member can only be like one that is not like another".to_owned();
+        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, named.at, "no such member");
+        diagnostics.push(fault.note(format!("the members are {}", list(&names))));
+    }
+    found
 }
 
 /// Takes out what lists of paths name.
