@@ -36,7 +36,10 @@ impl<'s> Positions<'s> {
 
     fn place(&self, file: FileId, offset: u32) -> Position {
         let text = self.sources.get(file).map_or("", |file| file.text.as_str());
-        let offset = text.floor_char_boundary(usize::try_from(offset).unwrap_or(usize::MAX).min(text.len()));
+        let mut offset = usize::try_from(offset).unwrap_or(usize::MAX).min(text.len());
+        while !text.is_char_boundary(offset) {
+            offset -= 1;
+        }
         let starts = self.starts.get(&file).map_or(&[][..], |starts| starts);
         let line = starts.partition_point(|start| *start <= offset).max(1);
         let start = starts.get(line - 1).copied().unwrap_or(0);
