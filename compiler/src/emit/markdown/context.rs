@@ -101,7 +101,7 @@ impl<'a> Context<'a> {
     pub(super) fn mode(&self, code: i16) -> String {
         match self.device.modes.iter().find(|mode| mode.code == code) {
             Some(mode) => link(mode_label(mode), self.mode_id(code)),
-            None => format!("mode {code}"),
+            None => code.to_string(),
         }
     }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::chapters::CHAPTERS;
 use super::context::Context;
-use super::inline::text;
+use super::inline::{link, text};
 use crate::model::{Device, Family};
 
 const TEMPLATE: &str = include_str!("templates/document.md.j2");
@@ -69,12 +69,25 @@ pub(super) fn document(family: &Family) -> String {
         // Views and templates are part of devc, and each is rendered by a test: this says where one is broken.
         part.unwrap_or_else(|error| format!("# {}\n\ndevc could not print this: {error:#}\n", device.id))
     });
-    let parts: Vec<String> = parts.collect();
+    let mut parts: Vec<String> = parts.collect();
+    if !alone {
+        parts.insert(0, overview(family));
+    }
     tidy(&format!(
         "<!-- Made by devc from the description of {}; not to be edited. -->\n{}",
         family.id,
         parts.join("\n")
     ))
+}
+
+/// What the members of a family share, and where each is described.
+fn overview(family: &Family) -> String {
+    let members = family.members.iter().map(|device| {
+        let title = device.title.as_deref().map_or(String::new(), |title| format!(": {}", text(title)));
+        format!("- {}{title}\n", link(text(&device.name), format!("{}-device", device.id)))
+    });
+    let about = family.about.as_deref().map_or(String::new(), text);
+    format!("\n# {}\n\n{about}\n\n{}", text(&family.name), members.collect::<String>())
 }
 
 fn part(context: &Context<'_>) -> Result<String, minijinja::Error> {

@@ -11,9 +11,9 @@ use detail::{Detail, ObjectView};
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
-use crate::emit::markdown::inline::text;
+use crate::emit::markdown::inline::{small, text};
 use crate::emit::markdown::table::Table;
-use crate::model::Object;
+use crate::model::{Object, Source};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -55,7 +55,7 @@ fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
         anchor: context.id(&format!("area-{:04x}", area.first)),
         title: text(area.name),
         about: context.paragraphs(area.about),
-        source: context.source_line(common),
+        source: common.map_or(String::new(), |common| source_line(context, common)),
         objects: Table::default(),
         on_axes: per_axis::indices(context, &area.objects),
         brief: Vec::new(),
@@ -73,6 +73,11 @@ fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
     }
     view.objects = lines.table;
     view
+}
+
+/// Where the objects of an area are from that name nothing else.
+fn source_line(context: &Context<'_>, common: &Source) -> String {
+    small(&format!("Source: {}, unless an object says otherwise", context.source(Some(common))))
 }
 
 /// Whether an object is the mapping of a PDO, which the chapter of process data shows.

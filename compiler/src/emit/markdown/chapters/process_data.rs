@@ -129,7 +129,7 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         pdo.fixed.then(|| "fixed mapping".into()),
         pdo.max_bytes.map(|most| format!("can be mapped up to {}", bytes(most.into()))),
         pdo.max_entries.map(|most| format!("up to {most} entries")),
-        pdo.mode.map(|mode| format!("for {}", context.mode(mode))),
+        pdo.mode.map(|mode| format!("for mode {}", context.mode(mode))),
         claimed.map(|total| format!("the manual gives {}", bytes(total.into()))),
     ];
     facts.into_iter().flatten().collect()

@@ -48,8 +48,8 @@ pub(super) fn detail(context: &Context<'_>, object: &Object, common: Option<&Sou
     let (index, name) = (code(object.index), text(&object.name));
     let id = context.object_id(object);
     match (about.is_empty(), entries.is_empty() && values.is_empty()) {
-        (true, true) => None,
-        (false, true) => Some(Detail::Brief(
+        (true, true) if source.is_empty() => None,
+        (_, true) => Some(Detail::Brief(
             format!("{}{index} **{name}**: {about} {source}", anchor(id)).trim_end().into(),
         )),
         (_, false) => {
