@@ -24,6 +24,7 @@ pub(super) fn axes(raw: Option<&Entity<RawAxes>>) -> Vec<Axis> {
 /// The ranges that exist once for each axis; each must have room for all of them.
 pub(super) fn shifts(context: &mut Context<'_>, raw: Option<&Entity<RawAxes>>) -> Vec<Shift> {
     let Some(raw) = raw else { return Vec::new() };
+    report_names(context, raw);
     let mut shifts = Vec::new();
     for (i, shift) in raw.raw.shifts.iter().enumerate() {
         let at = raw.origin.value(&format!("shifts.{i}.range"));
@@ -43,6 +44,24 @@ pub(super) fn shifts(context: &mut Context<'_>, raw: Option<&Entity<RawAxes>>) -
         }
     }
     shifts
+}
+
+/// Reports axes that have no number or no name of their own.
+fn report_names(context: &mut Context<'_>, raw: &Entity<RawAxes>) {
+    let at = |i: usize| raw.origin.value(&format!("names.{i}"));
+    let count = raw.raw.names.len();
+    if count > context.axes.len().max(1) {
+        let message = format!("{count} axes are more than the 256 that devc can number");
+        context.fault(&faults::INVALID_VALUE, message, at(context.axes.len()), "the first without a number");
+    }
+    for i in 0..context.axes.len() {
+        let name = |i: usize| context.axes.get(i).map(|axis| axis.name.as_str()).unwrap_or_default();
+        if let Some(other) = (0..i).find(|other| name(*other) == name(i)) {
+            let message = format!("two axes are called `{}`", name(i));
+            let fault = Diagnostic::new(&faults::INVALID_VALUE, message, at(i), "this axis");
+            context.diagnostics.push(fault.label(at(other), "and this one"));
+        }
+    }
 }
 
 /// Why the axes would collide under a shift, if they would.

@@ -1,0 +1,70 @@
+//! What can be asked, and the answers to what cannot.
+
+use std::process::Command;
+
+use crate::{Desk, SOUND};
+
+#[test]
+fn help_and_version_are_no_error() {
+    let desk = Desk::sound();
+    desk.devc(&["--help"]).ends(0, &["Usage: devc", "Examples:", "Exit codes:"]);
+    desk.devc(&["build", "--help"]).ends(0, &["--emit <LIST>", "--check", "--timings", "ESI"]);
+    desk.devc(&["--version"]).ends(0, &[env!("CARGO_PKG_VERSION")]);
+}
+
+#[test]
+fn bad_usage_is_not_run() {
+    let desk = Desk::sound();
+    desk.devc(&[]).ends(2, &["Usage: devc"]);
+    desk.devc(&["biuld"]).ends(2, &["biuld", "'build'"]);
+    desk.devc(&["build", "--emit", "xlm"]).ends(2, &["xlm", "possible values: xml"]);
+    assert!(desk.list("generated").is_empty());
+}
+
+#[test]
+fn a_path_that_leads_nowhere_is_not_run() {
+    let desk = Desk::sound();
+    desk.devc(&["check", "devices/drvie"])
+        .ends(2, &["`devices/drvie` does not exist", "`drive` lies beside it"]);
+    desk.devc(&["check", "devices"]).ends(2, &["`devices` holds no description"]);
+}
+
+#[test]
+fn without_devices_a_path_is_needed() {
+    let desk = Desk::new(&[]);
+    desk.devc(&["build"]).ends(2, &["cannot look into `devices`", "name the folder of a description"]);
+    desk.put("devices/readme.txt", "");
+    desk.devc(&["build"]).ends(2, &["no folder in `devices` holds a `device.toml`"]);
+}
+
+#[test]
+fn rules_are_listed_and_explained() {
+    let desk = Desk::sound();
+    let rules = desk.devc(&["rules"]);
+    rules.ends(0, &["unknown-key"]);
+    for name in rules.out.lines().filter_map(|line| line.split_whitespace().next()) {
+        desk.devc(&["explain", name]).ends(0, &[name, "## Fires", "## Silent"]);
+    }
+    desk.devc(&["explain", "unknown-kye"]).ends(2, &["did you mean `unknown-key`?"]);
+    desk.devc(&["explain", "nonsense"]).ends(2, &["`devc rules` lists all rules"]);
+}
+
+#[test]
+fn colours_only_where_they_are_seen() {
+    let desk = Desk::new(&[("drive", &SOUND.replace("name   = \"Speed\"", "nmae = \"Speed\""))]);
+    assert!(!desk.devc(&["check"]).err.contains('\u{1b}'), "a pipe is no terminal");
+    assert!(desk.devc(&["check", "--color", "always"]).err.contains('\u{1b}'));
+    assert!(!desk.devc(&["--color=never", "check"]).err.contains('\u{1b}'));
+}
+
+/// A reader that goes away early, as `head` does, is no reason to complain; a full disk is.
+#[test]
+#[cfg(target_os = "linux")]
+fn an_output_that_cannot_be_written_to_is_no_panic() {
+    let desk = Desk::sound();
+    let shell = |script: &str| {
+        desk.finish(Command::new("sh").arg("-c").arg(script).arg("sh").arg(env!("CARGO_BIN_EXE_devc")))
+    };
+    shell("\"$1\" rules > /dev/full").ends(2, &["cannot write to the standard output: no space left"]);
+    assert_eq!(shell("\"$1\" rules | true").err, "");
+}

@@ -1,0 +1,115 @@
+//! The command line as a user meets it: the binary, run in a folder of its own.
+
+#![cfg(test)]
+
+mod arguments;
+mod findings;
+mod outputs;
+mod trouble;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+/// A description that devc has nothing to say about.
+const SOUND: &str = r#"
+[device]
+name   = "Example"
+vendor = "Example"
+
+[identity]
+vendor-id    = 0x76D
+product-code = 3
+revision     = 1
+
+[objects.0x2000]
+name   = "Speed"
+type   = "UINT16"
+access = "ro"
+"#;
+
+/// A folder to run devc in.
+struct Desk {
+    folder: TempDir,
+}
+
+/// How a run ended and what it said.
+struct Run {
+    code: Option<i32>,
+    out: String,
+    err: String,
+}
+
+impl Desk {
+    /// With the descriptions `devices/<name>/device.toml`.
+    fn new(descriptions: &[(&str, &str)]) -> Self {
+        let desk = Self { folder: tempfile::tempdir().expect("a temporary folder") };
+        for (name, text) in descriptions {
+            desk.put(&format!("devices/{name}/device.toml"), text);
+        }
+        desk
+    }
+
+    /// With one sound description, `devices/drive`.
+    fn sound() -> Self {
+        Self::new(&[("drive", SOUND)])
+    }
+
+    fn path(&self, path: &str) -> PathBuf {
+        self.folder.path().join(path)
+    }
+
+    fn put(&self, path: &str, bytes: impl AsRef<[u8]>) {
+        let path = self.path(path);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, bytes).expect("a file");
+    }
+
+    fn read(&self, path: &str) -> String {
+        fs::read_to_string(self.path(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+    }
+
+    /// The names in a folder, sorted; none if there is no folder.
+    fn list(&self, path: &str) -> Vec<String> {
+        let entries = fs::read_dir(self.path(path)).into_iter().flatten();
+        let mut names: Vec<_> = entries
+            .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    }
+
+    fn devc(&self, arguments: &[&str]) -> Run {
+        self.finish(Command::new(env!("CARGO_BIN_EXE_devc")).args(arguments))
+    }
+
+    fn finish(&self, command: &mut Command) -> Run {
+        let Output { status, stdout, stderr } =
+            command.current_dir(self.folder.path()).env_remove("NO_COLOR").output().expect("devc runs");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("devc writes UTF-8");
+        Run { code: status.code(), out: text(stdout), err: text(stderr) }
+    }
+}
+
+impl Run {
+    /// Asserts the exit code and that what was said has all these words; gives back what was said.
+    #[track_caller]
+    fn ends(&self, code: i32, words: &[&str]) -> &Self {
+        let said = format!("{}{}", self.out, self.err);
+        assert_eq!(self.code, Some(code), "{said}");
+        for word in words {
+            assert!(said.contains(word), "`{word}` is not in:\n{said}");
+        }
+        self
+    }
+}
+
+/// Makes a folder unwritable; whether that has any effect, since it has none on the superuser.
+#[cfg(unix)]
+fn lock(folder: &Path) -> bool {
+    use std::os::unix::fs::PermissionsExt;
+    fs::set_permissions(folder, fs::Permissions::from_mode(0o555)).expect("a mode can be set");
+    fs::write(folder.join("probe"), "").is_err()
+}
