@@ -9,6 +9,9 @@ use devc::diagnostic::{Diagnostics, Level};
 
 use super::outcome::{Failure, Outcome};
 
+/// How many messages about one description are printed.
+const MOST_MESSAGES: usize = 200;
+
 /// Where results and messages go.
 pub(super) struct Report {
     style: Style,
@@ -41,11 +44,15 @@ impl Report {
         let _ = writeln!(io::stderr().lock(), "{text}");
     }
 
-    /// Prints all messages about a description.
+    /// Prints the messages about a description, as many as a person might read.
     pub(super) fn diagnostics(&self, compilation: &Compilation) {
-        for diagnostic in compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow)
-        {
+        let mut shown = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow);
+        for diagnostic in shown.by_ref().take(MOST_MESSAGES) {
             self.message(&format!("{}\n", text(diagnostic, &compilation.sources, self.style)));
+        }
+        match shown.count() {
+            0 => {}
+            rest => self.message(&format!("... and {}, not shown\n", number(rest, "more message"))),
         }
     }
 

@@ -52,7 +52,8 @@ fn report_names(context: &mut Context<'_>, raw: &Entity<RawAxes>) {
     let count = raw.raw.names.len();
     if count > context.axes.len().max(1) {
         let message = format!("{count} axes are more than the 256 that devc can number");
-        context.fault(&faults::INVALID_VALUE, message, at(context.axes.len()), "the first without a number");
+        let first = at(context.axes.len());
+        return context.fault(&faults::INVALID_VALUE, message, first, "the first without a number");
     }
     for i in 0..context.axes.len() {
         let name = |i: usize| context.axes.get(i).map(|axis| axis.name.as_str()).unwrap_or_default();

@@ -85,13 +85,14 @@ fn monsters_are_refused() {
     for (name, text) in [
         ("dotted", format!("{SOUND}\n[objects.0x2001]\n{deep}a = 1\n")),
         ("nested", format!("{SOUND}\n[objects.0x2001]\ndefault = {nested}\n")),
-        ("names", format!("{SOUND}\n[axes]\nnames = [{}]\n", "\"X\", ".repeat(1_000_000))),
-        ("tables", format!("{SOUND}\n{}", "[[errata]]\n".repeat(100_000))),
+        ("names", format!("{SOUND}\n[axes]\nnames = [{}]\n", "\"X\", ".repeat(100_000))),
+        ("tables", format!("{SOUND}\n{}", "[[errata]]\n".repeat(20_000))),
     ] {
         let desk = Desk::new(&[(name, &text)]);
         let start = std::time::Instant::now();
         let run = desk.devc(&["check"]);
         assert_eq!(run.code, Some(1), "{name}: {}", run.err.chars().take(2000).collect::<String>());
+        assert!(run.err.len() < 100_000, "{name} says more than anybody reads");
         assert!(start.elapsed().as_secs() < 20, "{name} took {:?}", start.elapsed());
     }
 }
