@@ -1,6 +1,6 @@
 //! What rules ask of a device again and again.
 
-use crate::model::{Address, Device, Entry, Index, Mapped, Object, Pdo, Provenance};
+use crate::model::{Address, Device, Entry, Index, Mapped, Object, Pdo, Provenance, Value};
 use crate::source::Location;
 
 /// The objects that a description or a profile states; those that devc makes follow from what is judged
@@ -49,4 +49,24 @@ pub(super) fn mapped(device: &Device) -> impl Iterator<Item = (&Pdo, Address, &M
         let places = (1..=u8::MAX).map(|subindex| Address { index: pdo.index, subindex });
         places.zip(&pdo.entries).map(move |(at, mapped)| (pdo, at, mapped))
     })
+}
+
+/// Whether a number is greater than another.
+pub(super) fn above(a: &Value, b: &Value) -> bool {
+    match (a, b) {
+        (Value::Real(a), Value::Real(b)) => a > b,
+        _ => matches!((a.integer(), b.integer()), (Some(a), Some(b)) if a > b),
+    }
+}
+
+/// Numbers as a list to read.
+pub(super) fn list<T: ToString>(items: impl IntoIterator<Item = T>) -> String {
+    items.into_iter().map(|item| item.to_string()).collect::<Vec<_>>().join(", ")
+}
+
+/// What a mapping refers to, if the dictionary has it.
+pub(super) fn target<'d>(device: &'d Device, mapped: &Mapped) -> Option<(&'d Object, &'d Entry)> {
+    let address = mapped.address?;
+    let object = device.object(address.index)?;
+    Some((object, object.entry(address.subindex)?))
 }

@@ -57,6 +57,12 @@ impl Pattern {
         self.select(|bit| bit == Bit::Falling)
     }
 
+    /// Whether there is a word that fits both.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        let both = self.mask() & other.mask();
+        self.value() & both == other.value() & both
+    }
+
     fn select(&self, wanted: impl Fn(Bit) -> bool) -> u16 {
         let bits = self.bits.iter().zip(0_u16..16).filter(|(bit, _)| wanted(**bit));
         bits.map(|(_, place)| 1_u16 << place).sum()

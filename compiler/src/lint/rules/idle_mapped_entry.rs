@@ -38,8 +38,7 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (pdo, at, mapped) in lookup::mapped(device) {
-        let Some(address) = mapped.address else { continue };
-        let (Some(object), Some(entry)) = (device.object(address.index), device.entry(address)) else { continue };
+        let Some((object, entry)) = lookup::target(device, mapped) else { continue };
         if object.functional && entry.functional {
             continue;
         }

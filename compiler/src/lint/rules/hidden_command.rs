@@ -1,0 +1,75 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::model::{Command, Device};
+
+rule! {
+    /// In each state one controlword has to mean one command. If it fits two that lead to different states, what
+    /// the drive does depends on which it looks for first.
+    ///
+    /// Commands with the same pattern are fine as long as they start from different states, as Switch on and
+    /// Disable operation do.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [states]
+    /// ready = { name = "Ready" }
+    /// on = { name = "On" }
+    /// off = { name = "Off" }
+    ///
+    /// [transitions]
+    /// 1 = { from = "ready", to = "on" }
+    /// 2 = { from = "ready", to = "off" }
+    ///
+    /// [commands]
+    /// start = { name = "Start", pattern = "xx11", transitions = [1] }
+    /// stop = { name = "Stop", pattern = "x011", transitions = [2] }
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [states]
+    /// ready = { name = "Ready" }
+    /// on = { name = "On" }
+    /// off = { name = "Off" }
+    ///
+    /// [transitions]
+    /// 1 = { from = "ready", to = "on" }
+    /// 2 = { from = "on", to = "off" }
+    ///
+    /// [commands]
+    /// start = { name = "Start", pattern = "xx11", transitions = [1] }
+    /// stop = { name = "Stop", pattern = "x011", transitions = [2] }
+    /// ```
+    pub(super) static RULE = "hidden-command", StateMachine, Warning,
+        "one controlword means two commands in the same state";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for (i, first) in device.commands.iter().enumerate() {
+        for second in device.commands.iter().skip(i + 1) {
+            let (Some(a), Some(b)) = (&first.pattern, &second.pattern) else { continue };
+            let Some(state) = shared(device, first, second).filter(|_| a.overlaps(b)) else { continue };
+            let word = a.value() | b.value();
+            let message = format!(
+                "controlword 0x{word:04X} means `{}` and `{}` in state `{state}`",
+                first.name, second.name
+            );
+            let at = second.origin.value("pattern");
+            let diagnostic = Diagnostic::new(&RULE, message, at, format!("`{}`", second.name))
+                .label(first.origin.value("pattern"), format!("`{}`", first.name));
+            report.push(format!("commands.{}", second.id), diagnostic);
+        }
+    }
+}
+
+/// A state that two commands lead out of in different ways.
+fn shared<'d>(device: &'d Device, first: &Command, second: &Command) -> Option<&'d str> {
+    let of = |command: &Command| {
+        let numbers = command.transitions.clone();
+        device.transitions.iter().filter(move |transition| numbers.contains(&transition.number))
+    };
+    of(first).find_map(|a| {
+        let clash = of(second).any(|b| a.number != b.number && a.from.is_some() && a.from == b.from && a.to != b.to);
+        a.from.as_deref().filter(|_| clash)
+    })
+}

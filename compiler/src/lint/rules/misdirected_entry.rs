@@ -1,0 +1,63 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::{Report, lookup};
+use crate::model::{Device, Direction, Entry, Mappable};
+
+rule! {
+    /// What a master sends has to be writable and mappable as an output; what a device sends has to be readable
+    /// and mappable as an input. Against its direction a value never arrives.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Speed"
+    /// type = "UINT16"
+    /// pdo = "tx"
+    ///
+    /// [rx-pdos.0x1600]
+    /// name = "Values"
+    /// entries = ["0x2000"]
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Speed"
+    /// type = "UINT16"
+    /// access = "rw"
+    /// pdo = "rx-tx"
+    ///
+    /// [rx-pdos.0x1600]
+    /// name = "Values"
+    /// entries = ["0x2000"]
+    /// ```
+    pub(super) static RULE = "misdirected-entry", ProcessData, Warning,
+        "a PDO maps an object against its direction";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for (pdo, at, mapped) in lookup::mapped(device) {
+        let Some((object, entry)) = lookup::target(device, mapped) else { continue };
+        let Some((key, why)) = fault(pdo.direction, entry) else { continue };
+        let name = lookup::name(object, entry);
+        let who = match pdo.direction {
+            Direction::Rx => "the master sends",
+            Direction::Tx => "the device sends",
+        };
+        let message = format!("{} maps {name}, which is {why}", pdo.index);
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{who} it here"))
+            .label(lookup::place(object, entry, key), why);
+        report.push(at, diagnostic);
+    }
+}
+
+/// What forbids a direction, and the key that says so; what is not mappable at all is another fault.
+fn fault(direction: Direction, entry: &Entry) -> Option<(&'static str, &'static str)> {
+    match direction {
+        _ if entry.pdo == Mappable::None => None,
+        Direction::Rx if !entry.pdo.rx() => Some(("pdo", "for inputs only")),
+        Direction::Tx if !entry.pdo.tx() => Some(("pdo", "for outputs only")),
+        Direction::Rx if !entry.access.writable() => Some(("access", "not writable")),
+        Direction::Tx if !entry.access.readable() => Some(("access", "not readable")),
+        _ => None,
+    }
+}

@@ -1,0 +1,61 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::model::{Device, Field};
+use crate::source::Origin;
+
+rule! {
+    /// Each bit of a word has one meaning, and in each mode of operation one. Two fields that share a bit cannot
+    /// both be right, and a field beyond the word's last bit has no place.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Status"
+    /// type = "UINT16"
+    ///
+    /// [words.status]
+    /// object = "0x2000"
+    /// bits = { 0 = "ready", "0..=1" = "state" }
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Status"
+    /// type = "UINT16"
+    ///
+    /// [words.status]
+    /// object = "0x2000"
+    /// bits = { 0 = "ready", "1..=2" = "state" }
+    /// ```
+    pub(super) static RULE = "overlapping-bits", StateMachine, Error, "a bit has two meanings";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for word in &device.words {
+        let at = format!("words.{}", word.id);
+        pairs(&word.fields, &word.origin, &at, report);
+        for field in word.fields.iter().filter(|field| u32::from(field.high) >= word.bits) {
+            let message = format!("`{}` has no bit {}: {} has {}", word.name, field.high, word.address, word.bits);
+            let place = word.origin.value(&field.path);
+            report.push(&at, Diagnostic::new(&RULE, message, place, "beyond the last bit"));
+        }
+    }
+    for mode in &device.modes {
+        for bits in [&mode.control_bits, &mode.status_bits] {
+            pairs(&bits.fields, &mode.origin, &format!("modes.{}", mode.code), report);
+        }
+    }
+}
+
+fn pairs(fields: &[Field], origin: &Origin, at: &str, report: &mut Report) {
+    for (i, first) in fields.iter().enumerate() {
+        for second in fields.iter().skip(i + 1).filter(|second| first.mask() & second.mask() != 0) {
+            let bit = (first.mask() & second.mask()).trailing_zeros();
+            let message = format!("bit {bit} is `{}` and `{}`", first.name, second.name);
+            let diagnostic = Diagnostic::new(&RULE, message, origin.value(&second.path), "again here")
+                .label(origin.value(&first.path), "first here");
+            report.push(at, diagnostic);
+        }
+    }
+}

@@ -1,0 +1,52 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::model::{Device, Pattern, State};
+
+rule! {
+    /// A master tells the state of a drive from the bits of the statusword. If one word fits two patterns, it
+    /// cannot tell which state it is; generated code takes the first that fits.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [states.switched-on]
+    /// name = "Switched on"
+    /// pattern = "x01x 0x11"
+    ///
+    /// [states.operation-enabled]
+    /// name = "Operation enabled"
+    /// pattern = "x01x 0111"
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [states.switched-on]
+    /// name = "Switched on"
+    /// pattern = "x01x 0011"
+    ///
+    /// [states.operation-enabled]
+    /// name = "Operation enabled"
+    /// pattern = "x01x 0111"
+    /// ```
+    pub(super) static RULE = "overlapping-states", StateMachine, Warning,
+        "one statusword shows two states";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for (i, first) in device.states.iter().enumerate() {
+        for second in device.states.iter().skip(i + 1) {
+            if let (Some(a), Some(b)) = (&first.pattern, &second.pattern)
+                && a.overlaps(b)
+            {
+                report.push(format!("states.{}", second.id), judge((first, a), (second, b)));
+            }
+        }
+    }
+}
+
+fn judge((first, a): (&State, &Pattern), (second, b): (&State, &Pattern)) -> Diagnostic {
+    let word = a.value() | b.value();
+    let message = format!("statusword 0x{word:04X} shows `{}` and `{}`", first.name, second.name);
+    Diagnostic::new(&RULE, message, second.origin.value("pattern"), format!("`{}`", second.name))
+        .label(first.origin.value("pattern"), format!("`{}`", first.name))
+        .help("tell them apart by a bit that is 0 in one and 1 in the other")
+}

@@ -1,0 +1,67 @@
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::{Report, lookup};
+use crate::model::Device;
+
+rule! {
+    /// An object that is twice in what a master sends has two values in the same cycle, and which one counts is
+    /// open; twice in what a device sends it takes bytes for nothing.
+    ///
+    /// Only the PDOs that are assigned by default are looked at together.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Speed"
+    /// type = "UINT16"
+    /// access = "rw"
+    /// pdo = "rx"
+    ///
+    /// [rx-pdos]
+    /// 0x1600 = { name = "Setpoints", entries = ["0x2000"] }
+    /// 0x1601 = { name = "More setpoints", entries = ["0x2000"] }
+    ///
+    /// [sync-managers.outputs]
+    /// address = 0x1100
+    /// pdos = ["0x1600", "0x1601"]
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Speed"
+    /// type = "UINT16"
+    /// access = "rw"
+    /// pdo = "rx"
+    ///
+    /// [rx-pdos]
+    /// 0x1600 = { name = "Setpoints", entries = ["0x2000"] }
+    /// 0x1601 = { name = "More setpoints", entries = ["0x2000"] }
+    ///
+    /// [sync-managers.outputs]
+    /// address = 0x1100
+    /// pdos = ["0x1600"]
+    /// ```
+    pub(super) static RULE = "repeated-mapping", ProcessData, Warning,
+        "an object is twice in a process image";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for manager in &device.sync_managers {
+        let mut first = BTreeMap::new();
+        for (pdo, at, mapped) in lookup::mapped(device).filter(|(pdo, ..)| manager.pdos.contains(&pdo.index)) {
+            let Some(address) = mapped.address else { continue };
+            let Some((other, place)) = first.get(&address) else {
+                first.insert(address, (pdo.index, mapped.at));
+                continue;
+            };
+            let message = match *other == pdo.index {
+                true => format!("{address} is twice in {other}"),
+                false => format!("{address} is in {other} and in {}, both assigned by default", pdo.index),
+            };
+            let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "again here");
+            report.push(at, diagnostic.label(*place, "first here"));
+        }
+    }
+}

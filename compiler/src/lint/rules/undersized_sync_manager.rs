@@ -1,0 +1,68 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::model::{Device, Role};
+
+rule! {
+    /// A sync manager that is shorter than what is assigned to it by default cuts off the last values; a mailbox
+    /// below 16 bytes has no room for an SDO.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Position"
+    /// type = "INT64"
+    /// pdo = "tx"
+    ///
+    /// [tx-pdos.0x1A00]
+    /// name = "Values"
+    /// entries = ["0x2000"]
+    ///
+    /// [sync-managers.inputs]
+    /// address = 0x1400
+    /// max-size = 6
+    /// pdos = ["0x1A00"]
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Position"
+    /// type = "INT64"
+    /// pdo = "tx"
+    ///
+    /// [tx-pdos.0x1A00]
+    /// name = "Values"
+    /// entries = ["0x2000"]
+    ///
+    /// [sync-managers.inputs]
+    /// address = 0x1400
+    /// max-size = 8
+    /// pdos = ["0x1A00"]
+    /// ```
+    pub(super) static RULE = "undersized-sync-manager", ProcessData, Warning,
+        "a sync manager is too short for what it carries";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for manager in &device.sync_managers {
+        let key = manager.role.key();
+        let needs = match manager.role {
+            Role::MailboxOut | Role::MailboxIn => MAILBOX,
+            role => device.image_bytes(role),
+        };
+        let limits = [("size", Some(manager.size)), ("max-size", manager.max_size)];
+        let short = limits.into_iter().find_map(|(key, bytes)| Some((key, bytes.filter(|b| u32::from(*b) < needs)?)));
+        let Some((limit, bytes)) = short else { continue };
+        let message = format!("`{key}` has {bytes} bytes, but needs {needs}");
+        let at = manager.origin.value(limit);
+        let diagnostic = Diagnostic::new(&RULE, message, at, format!("{bytes} bytes"));
+        let diagnostic = match manager.origin.has("pdos") {
+            true => diagnostic.label(manager.origin.value("pdos"), format!("{needs} bytes by default")),
+            false => diagnostic.note("a mailbox has 6 bytes of head, 2 of CoE and 8 of an SDO at least"),
+        };
+        report.push(format!("sync-managers.{key}"), diagnostic);
+    }
+}
+
+/// What the shortest SDO takes: mailbox head, CoE head, SDO head with data.
+const MAILBOX: u32 = 6 + 2 + 8;
