@@ -42,11 +42,19 @@ impl Place {
         self.offset % 8
     }
 
-    /// The number that its bits are shifted in, and the mask of them.
-    fn container(&self) -> (Ident, u32, TokenStream) {
-        let width = (self.shift() + self.bits).next_power_of_two().clamp(8, 128);
+    /// The width of the number that its bits are shifted in.
+    fn container(&self) -> u32 {
+        (self.shift() + self.bits).next_power_of_two().clamp(8, 128)
+    }
+
+    /// Its bits alone, in the lowest places of a container's value.
+    fn masked(&self, value: TokenStream) -> TokenStream {
+        if self.bits == self.container() {
+            return value;
+        }
         let mask = u128::MAX.checked_shr(128_u32.saturating_sub(self.bits)).unwrap_or(0);
-        (format_ident!("u{width}"), width, parsed(&format!("0x{mask:X}")))
+        let mask = parsed(&format!("0x{mask:X}"));
+        quote!(#value & #mask)
     }
 }
 
@@ -84,12 +92,20 @@ fn binding(place: &Place, name: &Ident, names: &[Ident]) -> TokenStream {
         Primitive::Bytes(_) if place.is_whole() => quote!(let [#(#names),*] = #value;),
         _ if place.is_whole() => quote!(let [#(#names),*] = #value.to_le_bytes();),
         primitive => {
-            let (container, width, mask) = place.container();
+            let width = place.container();
+            let container = format_ident!("u{width}");
             let value =
                 if matches!(primitive, Primitive::Real(_)) { quote!(#value.to_bits()) } else { value };
+            let masked = place.masked(quote!(#value as #container));
+            let shifted = match place.shift() {
+                0 => quote!((#masked)),
+                shift => {
+                    let shift = number(shift);
+                    quote!(((#masked) << #shift))
+                }
+            };
             let rest = (names.len() * 8 < usize::try_from(width).unwrap_or(0)).then(|| quote!(, ..));
-            let shift = number(place.shift());
-            quote!(let [#(#names),* #rest] = ((#value as #container & #mask) << #shift).to_le_bytes();)
+            quote!(let [#(#names),* #rest] = #shifted.to_le_bytes();)
         }
     }
 }
@@ -123,17 +139,31 @@ fn from_bytes(place: &Place) -> TokenStream {
             _ => quote!(#name::from_le_bytes([#(#bytes),*])),
         };
     }
-    let (container, width, mask) = place.container();
+    let width = place.container();
+    let container = format_ident!("u{width}");
     let zeros = (bytes.len()..usize::try_from(width / 8).unwrap_or(0)).map(|_| quote!(0));
     let all = bytes.iter().map(|byte| quote!(#byte)).chain(zeros);
-    let shift = number(place.shift());
-    let raw = quote!(#container::from_le_bytes([#(#all),*]) >> #shift & #mask);
+    let whole = quote!(#container::from_le_bytes([#(#all),*]));
+    let shifted = match place.shift() {
+        0 => whole,
+        shift => {
+            let shift = number(shift);
+            quote!(#whole >> #shift)
+        }
+    };
+    let raw = place.masked(shifted);
     match primitive {
         Primitive::Bool => quote!(#raw != 0),
         Primitive::Signed(_) => {
-            // the sign is moved to the highest bit, and back with copies of it
-            let (signed, up) = (format_ident!("i{width}"), number(width - place.bits));
-            quote!((((#raw) << #up) as #signed >> #up) as #name)
+            let signed = format_ident!("i{width}");
+            match width.saturating_sub(place.bits) {
+                0 => quote!((#raw) as #name),
+                up => {
+                    // the sign is moved to the highest bit, and back with copies of it
+                    let up = number(up);
+                    quote!((((#raw) << #up) as #signed >> #up) as #name)
+                }
+            }
         }
         Primitive::Real(bits) => {
             let bits = format_ident!("u{bits}");

@@ -117,6 +117,8 @@ pub(super) struct Code<'a> {
 #[derive(Debug, Default)]
 pub(super) struct Types<'a> {
     newtypes: BTreeMap<Address, Ident>,
+    /// The addresses of words: bits have no sign, whatever the manual calls their type.
+    words: Vec<Address>,
     pub(super) codes: Vec<Code<'a>>,
 }
 
@@ -126,6 +128,7 @@ impl<'a> Types<'a> {
         let mut types = Self::default();
         for word in &device.words {
             types.newtypes.insert(word.address, names.claim(&camel(&word.id)));
+            types.words.push(word.address);
         }
         if !device.errors.is_empty() {
             types.newtypes.insert(address(0x603F), names.claim(&camel("error-code")));
@@ -165,8 +168,13 @@ impl<'a> Types<'a> {
 
     /// The type at an address of the first axis.
     pub(super) fn at(&self, address: Option<Address>, data_type: DataType) -> ValueType {
-        let primitive = Primitive::of(data_type);
         let newtype = address.and_then(|address| self.newtypes.get(&address)).cloned();
+        let primitive = match Primitive::of(data_type) {
+            Primitive::Signed(bits) if address.is_some_and(|address| self.words.contains(&address)) => {
+                Primitive::Unsigned(bits)
+            }
+            primitive => primitive,
+        };
         ValueType { primitive, newtype: newtype.filter(|_| primitive.is_number()) }
     }
 
