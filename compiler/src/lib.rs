@@ -1,6 +1,9 @@
 //! The compiler of device descriptions: TOML in; ESI, Markdown, JSON and Rust out.
 
+#[cfg(feature = "build")]
+pub mod build;
 mod compile;
+pub mod derive;
 pub mod diagnostic;
 pub mod emit;
 pub mod lint;

@@ -26,3 +26,5 @@ pub mod sdo;
 pub mod unit;
 
 pub use device::Device;
+#[cfg(feature = "derive")]
+pub use devc_macros::Device;

@@ -32,9 +32,10 @@ mod words;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+pub(crate) use head::identity;
 pub use names::{camel, snake};
 #[cfg(feature = "rust")]
-pub use text::{Rust, text};
+pub use text::{Rust, module, text};
 
 use crate::lint::Checked;
 use crate::model::{Device, Family};

@@ -37,6 +37,14 @@ pub fn text(family: &Checked<Family>, options: &Options) -> String {
     header + &pretty(tokens(family, options))
 }
 
+/// The text of a file to be included: the content in a module of this name.
+///
+/// An included file cannot begin with documentation of where it is included, so it brings a module of its own.
+pub fn module(family: &Checked<Family>, name: &proc_macro2::Ident, options: &Options) -> String {
+    let content = tokens(family, options);
+    pretty(quote!(pub mod #name { #content }))
+}
+
 /// Formatted code with empty lines between items. What is no Rust comes out as it is; [`tokens`] makes none.
 fn pretty(tokens: TokenStream) -> String {
     let Ok(mut file) = syn::parse2::<syn::File>(tokens.clone()) else { return tokens.to_string() };

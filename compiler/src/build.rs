@@ -1,0 +1,84 @@
+//! For build scripts: the Rust of a description without a derive.
+//!
+//! ```no_run
+//! // build.rs
+//! fn main() -> Result<(), devc::build::Failed> {
+//!     devc::build::rust("devices/c887", "c887.rs")
+//! }
+//! ```
+//!
+//! ```ignore
+//! // src/lib.rs
+//! include!(concat!(env!("OUT_DIR"), "/c887.rs")); // the module `c887`
+//! ```
+
+use std::path::{Path, PathBuf};
+use std::{env, fmt, fs, io};
+
+use crate::diagnostic::render::{Style, text};
+use crate::diagnostic::{Diagnostic, Level};
+use crate::emit::rust::{Options, module, snake};
+use crate::source::Disk;
+use crate::{Compilation, compile};
+
+/// Writes the Rust of a description to `file` in the folder that Cargo keeps for the build script's outputs, as a
+/// module named after the file.
+///
+/// The path of the description is from the folder of the crate's `Cargo.toml`. Cargo is told to run the script again
+/// when the description changes; warnings are passed on to it.
+///
+/// # Errors
+/// The messages, if the description has errors; or that the file cannot be written.
+pub fn rust(description: impl AsRef<Path>, file: impl AsRef<Path>) -> Result<(), Failed> {
+    let (description, file) = (description.as_ref(), file.as_ref());
+    let compilation = compile(&Disk, description);
+    tell_cargo(description, &compilation);
+    let Some(family) = &compilation.family else {
+        return Err(Failed(messages(&compilation, Level::Error).collect::<Vec<_>>().join("\n\n")));
+    };
+    let name = file.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
+    let code = module(family, &snake(&name), &Options::default());
+    let target = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join(file);
+    write_if_changed(&target, &code)
+        .map_err(|error| Failed(format!("cannot write `{}`: {error}", target.display())))
+}
+
+/// A file that is already right is left alone, so that nothing is built again because of its date.
+fn write_if_changed(file: &Path, text: &str) -> io::Result<()> {
+    if fs::read(file).is_ok_and(|old| old == text.as_bytes()) { Ok(()) } else { fs::write(file, text) }
+}
+
+fn messages(compilation: &Compilation, level: Level) -> impl Iterator<Item = String> {
+    let wanted = compilation.diagnostics.iter().filter(move |message: &&Diagnostic| message.level == level);
+    wanted.map(|message| text(message, &compilation.sources, Style::Plain))
+}
+
+/// Cargo listens to what its scripts print.
+#[expect(clippy::print_stdout, reason = "the protocol of build scripts")]
+fn tell_cargo(description: &Path, compilation: &Compilation) {
+    println!("cargo::rerun-if-changed={}", description.display());
+    for file in &compilation.files {
+        println!("cargo::rerun-if-changed={}", file.display());
+    }
+    for warning in messages(compilation, Level::Warning) {
+        println!("cargo::warning={}", warning.lines().next().unwrap_or_default());
+    }
+}
+
+/// Why there is no code.
+pub struct Failed(String);
+
+impl fmt::Display for Failed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// As for people: it is what a `main` that returns it prints.
+impl fmt::Debug for Failed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\n{}", self.0)
+    }
+}
+
+impl std::error::Error for Failed {}

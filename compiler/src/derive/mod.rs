@@ -1,0 +1,146 @@
+//! What `#[derive(Device)]` does: a front end like the command line, over the same stages.
+//!
+//! It lives here and not in the macro crate so that it can be tested as any other code: nothing in it depends on
+//! running inside the compiler.
+
+mod beneath;
+mod input;
+
+use std::path::Path;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+use crate::diagnostic::render::{Style, text};
+use crate::diagnostic::{Diagnostic, Level};
+use crate::emit::rust::{Options, identity, member};
+use crate::model::{Device, Family};
+use crate::source::Loader;
+use crate::{Compilation, compile};
+use beneath::Beneath;
+use input::Input;
+
+/// Something that keeps the derive from going on, and the place in the user's code that it is about.
+#[derive(Debug)]
+struct Fault {
+    span: Span,
+    message: String,
+}
+
+impl Fault {
+    fn new(span: Span, message: impl Into<String>) -> Self {
+        Self { span, message: message.into() }
+    }
+
+    /// The error as rustc shows it.
+    fn tokens(&self) -> TokenStream {
+        let message = &self.message;
+        quote_spanned!(self.span=> ::core::compile_error!(#message);)
+    }
+}
+
+/// Expands `#[derive(Device)] #[device(path = "..")] pub struct Name;`.
+///
+/// `path` is taken from `root`, the folder of the user's manifest. The result is the implementation of `Device` and a
+/// module with all that the command line writes to a file; if there are errors, it is a `compile_error!` for each, and
+/// as much of the rest as keeps further errors away. Whatever was read is named in it, so that a change rebuilds.
+pub fn expand(input: TokenStream, root: &Path, loader: &dyn Loader) -> TokenStream {
+    match Input::parse(input) {
+        Ok(input) => expand_input(&input, root, loader),
+        Err(fault) => fault.tokens(),
+    }
+}
+
+fn expand_input(input: &Input, root: &Path, loader: &dyn Loader) -> TokenStream {
+    let compilation = compile(&Beneath { root, loader }, Path::new(&input.path));
+    let files = tracked(root, &compilation);
+    let content = match &compilation.family {
+        Some(family) => choose(input, family).map(|device| module(input, device)),
+        None => Err(errors(input, &compilation)),
+    };
+    let content = content.unwrap_or_else(|errors| {
+        let stub = stub(input);
+        quote!(#errors #stub)
+    });
+    quote!(#content #files)
+}
+
+/// The member that is asked for; without being asked for, the only one.
+fn choose<'f>(input: &Input, family: &'f Family) -> Result<&'f Device, TokenStream> {
+    let found = match (&input.member, family.members.as_slice()) {
+        (None, [only]) => Some(only),
+        (None, _) => None,
+        (Some(id), members) => members.iter().find(|member| member.id == *id),
+    };
+    found.ok_or_else(|| {
+        let ids: Vec<String> = family.members.iter().map(|member| format!("`{}`", member.id)).collect();
+        let message = match &input.member {
+            Some(id) => format!("`{}` has no member `{id}`, but {}", family.id, ids.join(", ")),
+            None => format!("`{}` is a family: add `member = \"..\"`, one of {}", family.id, ids.join(", ")),
+        };
+        Fault::new(input.span, message).tokens()
+    })
+}
+
+fn module(input: &Input, device: &Device) -> TokenStream {
+    let (name, module, runtime) = (&input.name, &input.module, &input.runtime);
+    let options = Options { runtime: runtime.clone(), device: Some(name.clone()) };
+    let (identity, content) = (identity(device, name, &quote!(#runtime::Device)), member(device, &options));
+    quote! {
+        #identity
+
+        pub mod #module { #content }
+    }
+}
+
+/// An error for each message, with the place in the description in its text.
+fn errors(input: &Input, compilation: &Compilation) -> TokenStream {
+    let errors = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level == Level::Error);
+    let shown = errors.map(|error| Fault::new(input.span, message(error, compilation)).tokens());
+    shown.collect()
+}
+
+/// The message as on the command line, but for the word `error`, which rustc puts before it.
+fn message(error: &Diagnostic, compilation: &Compilation) -> String {
+    let text = text(error, &compilation.sources, Style::Plain);
+    text.strip_prefix("error").map(str::to_owned).unwrap_or(text)
+}
+
+/// What the rest of the user's code needs of a device that could not be read.
+fn stub(input: &Input) -> TokenStream {
+    let (name, module, runtime) = (&input.name, &input.module, &input.runtime);
+    quote! {
+        impl #runtime::Device for #name {
+            const NAME: &'static str = "";
+            const VENDOR_ID: u32 = 0;
+            const PRODUCT_CODE: u32 = 0;
+            const REVISION: u32 = 0;
+        }
+
+        /// Empty because of the errors in the description.
+        pub mod #module {}
+    }
+}
+
+/// The files that were read: rustc notes those that code includes.
+fn tracked(root: &Path, compilation: &Compilation) -> TokenStream {
+    let files = compilation.files.iter().map(|file| root.join(file).to_string_lossy().into_owned());
+    quote!(#(const _: &[u8] = ::core::include_bytes!(#files);)*)
+}
+
+/// `C887` is `c887`, `HexapodController` is `hexapod_controller`.
+fn module_name(name: &Ident) -> Ident {
+    let mut id = String::new();
+    let mut before = '-';
+    for c in name.to_string().chars() {
+        if c.is_uppercase() && (before.is_lowercase() || before.is_ascii_digit()) {
+            id.push('-');
+        }
+        id.push(c);
+        before = c;
+    }
+    crate::emit::rust::snake(&id)
+}
+
+#[cfg(test)]
+mod tests;
