@@ -25,6 +25,6 @@ pub mod pdo;
 pub mod sdo;
 pub mod unit;
 
-pub use device::Device;
 #[cfg(feature = "derive")]
 pub use devc_macros::Device;
+pub use device::Device;
