@@ -1560,8 +1560,6 @@ impl Pdo for RxPdo1600 {
 
 /// `0x1601` RxPDO - PP, 15 bytes. One for each axis, 0x10 apart, up to `0x1651`.
 ///
-/// For a profile position mode that the device does not have.
-///
 /// Not together with `0x1600`.
 ///
 /// Source: p. 21 to 24.
@@ -1726,8 +1724,6 @@ impl Pdo for TxPdo1A00 {
 }
 
 /// `0x1A01` TxPDO - PP, 7 bytes. One for each axis, 0x10 apart, up to `0x1A51`.
-///
-/// For a profile position mode that the device does not have.
 ///
 /// Not together with `0x1A00`.
 ///
@@ -2044,7 +2040,7 @@ pub mod commands {
 
     /// Enable operation. `0xxx 1111`
     ///
-    /// Makes the hexapod follow its set values. Transition 16, which is listed with it, is not supported.
+    /// Makes the hexapod follow its set values.
     ///
     /// Source: p. 8, p. 12.
     pub const ENABLE_OPERATION: Command = Command {
