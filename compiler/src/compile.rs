@@ -50,13 +50,19 @@ impl Stage {
 ///
 /// A stage runs if the one before left no error; inside a stage everything is reported.
 pub fn compile(loader: &dyn Loader, path: &Path) -> Compilation {
-    compile_watched(loader, path, &mut |_| ())
+    compile_with(loader, path, &Levels::default(), &mut |_| ())
 }
 
-/// Compiles as [`compile`] does, and tells `enter` each stage as it begins.
-pub fn compile_watched(loader: &dyn Loader, path: &Path, enter: &mut dyn FnMut(Stage)) -> Compilation {
+/// Compiles as [`compile`] does, with `levels` over those that the description sets, and tells `enter` each
+/// stage as it begins.
+pub fn compile_with(
+    loader: &dyn Loader,
+    path: &Path,
+    levels: &Levels,
+    enter: &mut dyn FnMut(Stage),
+) -> Compilation {
     let mut compilation = Compilation::default();
-    compilation.family = stages(loader, path, &mut compilation, enter);
+    compilation.family = stages(loader, path, levels, &mut compilation, enter);
     compilation.diagnostics.finish();
     compilation
 }
@@ -64,10 +70,12 @@ pub fn compile_watched(loader: &dyn Loader, path: &Path, enter: &mut dyn FnMut(S
 fn stages(
     loader: &dyn Loader,
     path: &Path,
+    over: &Levels,
     compilation: &mut Compilation,
     enter: &mut dyn FnMut(Stage),
 ) -> Option<Checked<Family>> {
-    let (family, levels) = resolved(loader, path, compilation, enter)?;
+    let (family, mut levels) = resolved(loader, path, compilation, enter)?;
+    levels.extend(over);
     enter(Stage::Check);
     lint::check(family, &levels, &compilation.sources, &mut compilation.diagnostics)
 }

@@ -14,4 +14,4 @@ mod resolve;
 pub mod rules;
 pub mod source;
 
-pub use compile::{Compilation, Stage, compile, compile_watched};
+pub use compile::{Compilation, Stage, compile, compile_with};

@@ -9,6 +9,7 @@ use devc::lint::Checked;
 use devc::model::Family;
 use devc::source::Disk;
 
+use super::levels::LevelArguments;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
 use super::report::{Report, counts, verdict};
@@ -38,9 +39,8 @@ pub(super) struct Build {
     #[arg(long)]
     check: bool,
 
-    /// Count warnings as findings.
-    #[arg(long)]
-    deny_warnings: bool,
+    #[command(flatten)]
+    levels: LevelArguments,
 
     /// Print what each stage costs.
     #[arg(long)]
@@ -55,14 +55,16 @@ fn emitters() -> PossibleValuesParser {
 
 impl Build {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
+        let levels = self.levels.levels()?;
         let mut outcome = Outcome::Clean;
         let mut built: Vec<(String, PathBuf)> = Vec::new();
         for path in descriptions(&self.paths)? {
             let mut timings = Timings::start();
-            let compilation = devc::compile_watched(&Disk, &path, &mut |stage| timings.enter(stage.name()));
+            let compilation =
+                devc::compile_with(&Disk, &path, &levels, &mut |stage| timings.enter(stage.name()));
             timings.stop();
             report.diagnostics(&compilation);
-            outcome = outcome.max(verdict(&compilation, self.deny_warnings));
+            outcome = outcome.max(verdict(&compilation, self.levels.deny_warnings));
             let counts =
                 counts(&compilation.diagnostics).map(|counts| format!(", {counts}")).unwrap_or_default();
             let Some(family) = compilation.family else {

@@ -2,12 +2,17 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
-use devc::source::Disk;
+use clap::{Args, ValueEnum};
+use devc::diagnostic::{Diagnostics, render};
+use devc::source::{Disk, Sources};
+use devc::{Compilation, rules};
 
+use super::baseline::Baseline;
+use super::fix::fix;
+use super::levels::LevelArguments;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
-use super::report::{Report, counts, verdict};
+use super::report::{Report, counts, number, verdict};
 
 /// Say what is wrong with descriptions, and write nothing.
 #[derive(Debug, Args)]
@@ -16,21 +21,100 @@ pub(super) struct Check {
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
 
-    /// Count warnings as findings.
-    #[arg(long)]
-    deny_warnings: bool,
+    /// How to say it; all but `text` go to the standard output.
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Format,
+
+    #[command(flatten)]
+    levels: LevelArguments,
+
+    /// Report only what is not in this file.
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+
+    /// Write all findings to the baseline, so that only what comes later is reported.
+    #[arg(long, requires = "baseline")]
+    update_baseline: bool,
+
+    /// Make the edits that are beyond doubt, such as the right spelling of a name.
+    #[arg(long, conflicts_with = "update_baseline")]
+    fix: bool,
+}
+
+/// How findings are said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people.
+    Text,
+    /// For programs; version 1 of the format is frozen.
+    Json,
+    /// For code scanning: SARIF 2.1.0.
+    Sarif,
+    /// For pull requests on GitHub.
+    Github,
 }
 
 impl Check {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
-        let mut outcome = Outcome::Clean;
-        for path in descriptions(&self.paths)? {
-            let compilation = devc::compile(&Disk, &path);
-            report.diagnostics(&compilation);
-            let counts = counts(&compilation.diagnostics).unwrap_or_else(|| "no findings".to_owned());
-            report.line(&format!("{}: {counts}", path.display()))?;
-            outcome = outcome.max(verdict(&compilation, self.deny_warnings));
+        let levels = self.levels.levels()?;
+        let compile = |path: &PathBuf| devc::compile_with(&Disk, path, &levels, &mut |_| ());
+        let paths = descriptions(&self.paths)?;
+        if self.fix {
+            for path in &paths {
+                let made = fix(&compile(path))?;
+                if made > 0 {
+                    report.message(&format!("{}: made {}", path.display(), number(made, "edit")));
+                }
+            }
         }
-        Ok(outcome)
+        let mut compilations: Vec<(PathBuf, Compilation)> =
+            paths.into_iter().map(|path| (path.clone(), compile(&path))).collect();
+        if let Some(path) = &self.baseline {
+            if self.update_baseline {
+                return update(path, &compilations, report);
+            }
+            let mut baseline = Baseline::read(path)?;
+            compilations.iter_mut().for_each(|(_, compilation)| baseline.forget(compilation));
+        }
+        self.say(&compilations, report)?;
+        let verdicts = compilations.iter().map(|(_, c)| verdict(c, self.levels.deny_warnings));
+        Ok(verdicts.max().unwrap_or(Outcome::Clean))
     }
+
+    fn say(&self, compilations: &[(PathBuf, Compilation)], report: &Report) -> Result<(), Failure> {
+        let runs: Vec<(&Diagnostics, &Sources)> =
+            compilations.iter().map(|(_, c)| (&c.diagnostics, &c.sources)).collect();
+        let text = match self.format {
+            Format::Text => return people(compilations, report),
+            Format::Json => render::json(&runs),
+            Format::Sarif => render::sarif(&runs, &rules::all()),
+            Format::Github => {
+                runs.iter().map(|(diagnostics, sources)| render::github(diagnostics, sources)).collect()
+            }
+        };
+        report.output(&text)
+    }
+}
+
+fn people(compilations: &[(PathBuf, Compilation)], report: &Report) -> Result<(), Failure> {
+    for (path, compilation) in compilations {
+        report.diagnostics(compilation);
+        let counts = counts(&compilation.diagnostics).unwrap_or_else(|| "no findings".to_owned());
+        report.line(&format!("{}: {counts}", path.display()))?;
+    }
+    Ok(())
+}
+
+fn update(
+    path: &PathBuf,
+    compilations: &[(PathBuf, Compilation)],
+    report: &Report,
+) -> Result<Outcome, Failure> {
+    let mut baseline = Baseline::default();
+    for (_, compilation) in compilations {
+        baseline.learn(compilation);
+    }
+    baseline.write(path)?;
+    report.line(&format!("{}: {}", path.display(), number(baseline.len(), "known finding")))?;
+    Ok(Outcome::Clean)
 }

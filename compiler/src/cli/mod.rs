@@ -2,9 +2,13 @@
 //!
 //! It alone writes files, prints and looks at the clock; all else it asks of the library.
 
+mod baseline;
 mod build;
 mod check;
+mod draft;
 mod explain;
+mod fix;
+mod levels;
 mod outcome;
 mod paths;
 mod report;
@@ -54,6 +58,9 @@ Examples:
   devc build --emit xml,md        make only the ESI and the Markdown
   devc build --check              say whether generated/ is up to date, and write nothing
   devc check devices/c887         only say what is wrong with it
+  devc check --format sarif       say it for a machine
+  devc check --baseline known.json --update-baseline
+                                  start from what is known today, then leave out the second option
   devc explain unknown-key        what a message means, with an example
 
 Exit codes:

@@ -35,8 +35,13 @@ impl Report {
 
     /// Prints a result.
     pub(super) fn line(&self, text: &str) -> Result<(), Failure> {
+        self.output(&format!("{text}\n"))
+    }
+
+    /// Prints a result that ends its own lines.
+    pub(super) fn output(&self, text: &str) -> Result<(), Failure> {
         let mut out = io::stdout().lock();
-        writeln!(out, "{text}").and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
+        write!(out, "{text}").and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
     }
 
     /// Prints a message. If even the standard error is closed, the exit code has to do.

@@ -4,17 +4,15 @@
 //! targets; once all are there, they are renamed, so that a full disk leaves the old outputs as they were.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::{ErrorKind, Write};
+use std::fs;
+use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 use devc::emit::Files;
 
+use super::draft::{Draft, TEMPORARY};
 use super::outcome::Failure;
 use super::report::number;
-
-/// The end of the name of a file that is being written.
-const TEMPORARY: &str = ".devc-tmp";
 
 /// Whether the files are all that there is for a device.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -173,40 +171,6 @@ impl<'a> Plan<'a> {
             return Err(Failure::new(format!("`{folder}` is a link that leads out of `{out}`")));
         }
         Ok(())
-    }
-}
-
-/// A new text beside the file that it is to become; gone if it does not.
-struct Draft {
-    path: PathBuf,
-    target: PathBuf,
-    published: bool,
-}
-
-impl Draft {
-    fn write(folder: &Path, name: &str, text: &str) -> Result<Self, Failure> {
-        let target = folder.join(name);
-        let path = folder.join(format!(".{name}.{}{TEMPORARY}", std::process::id()));
-        let file = File::options().write(true).create_new(true).open(&path);
-        let mut file = file.map_err(|error| Failure::at("write", &target, &error))?;
-        let draft = Self { path, target, published: false };
-        file.write_all(text.as_bytes()).map_err(|error| Failure::at("write", &draft.target, &error))?;
-        Ok(draft)
-    }
-
-    fn publish(mut self) -> Result<(), Failure> {
-        fs::rename(&self.path, &self.target).map_err(|error| Failure::at("write", &self.target, &error))?;
-        self.published = true;
-        Ok(())
-    }
-}
-
-impl Drop for Draft {
-    fn drop(&mut self) {
-        if !self.published {
-            // What cannot be removed now, the next run will remove.
-            let _ = fs::remove_file(&self.path);
-        }
     }
 }
 

@@ -46,6 +46,8 @@ pub struct Help {
     pub text: String,
     /// The edits that do it, if a machine can; none overlap.
     pub edits: Vec<Edit>,
+    /// Whether the edits are what was meant beyond reasonable doubt, so that a machine may make them.
+    pub sure: bool,
 }
 
 /// A replacement of text.
@@ -91,15 +93,25 @@ impl Diagnostic {
     /// Says what to do.
     #[must_use]
     pub fn help(mut self, text: impl Into<String>) -> Self {
-        self.helps.push(Help { text: text.into(), edits: Vec::new() });
+        self.helps.push(Help { text: text.into(), edits: Vec::new(), sure: false });
         self
     }
 
-    /// Says what to do, with the edit that does it.
+    /// Says what could be done, with the edit that does it; whether it is right, a person has to say.
     #[must_use]
     pub fn suggest(mut self, text: impl Into<String>, at: Location, replacement: impl Into<String>) -> Self {
         let edits = vec![Edit { at, text: replacement.into() }];
-        self.helps.push(Help { text: text.into(), edits });
+        self.helps.push(Help { text: text.into(), edits, sure: false });
+        self
+    }
+
+    /// Says what to do, with the edit that does it: what was meant is plain, as with a misspelled name.
+    #[must_use]
+    pub fn fix(mut self, text: impl Into<String>, at: Location, replacement: impl Into<String>) -> Self {
+        self = self.suggest(text, at, replacement);
+        if let Some(help) = self.helps.last_mut() {
+            help.sure = true;
+        }
         self
     }
 

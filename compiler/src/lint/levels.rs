@@ -30,6 +30,11 @@ impl Levels {
         levels
     }
 
+    /// Lets other levels hold over these.
+    pub fn extend(&mut self, over: &Self) {
+        self.settings.extend(over.settings.iter().cloned());
+    }
+
     /// Sets the level of a rule or group.
     pub fn set(&mut self, name: &str, level: Level, at: Option<Location>) {
         self.settings.push(Setting { name: name.to_owned(), level, at });

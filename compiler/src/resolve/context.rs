@@ -48,7 +48,7 @@ impl Context<'_> {
                 let message = format!("there is no object `{text}`");
                 let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
                 self.diagnostics.push(match (near, names::index(text.split(':').next().unwrap_or(text))) {
-                    (Some(near), _) => fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\"")),
+                    (Some(near), _) => fault.fix(format!("there is `{near}`"), at, format!("\"{near}\"")),
                     (None, Some(index)) => fault
                         .note("an object of a profile is there once it is mentioned")
                         .help(format!("add `[objects.{index}]` with what the profile does not say")),
@@ -81,7 +81,7 @@ impl Context<'_> {
         let message = format!("there is no {what} `{text}`");
         let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
         fault = match near(text, known.iter().map(String::as_str)) {
-            Some(near) => fault.suggest(format!("there is `{near}`"), at, format!("\"{near}\"")),
+            Some(near) => fault.fix(format!("there is `{near}`"), at, format!("\"{near}\"")),
             None if known.is_empty() => fault.note(format!("the description has no {what}")),
             None => {
                 let known: Vec<&str> = known.iter().map(String::as_str).collect();

@@ -128,7 +128,7 @@ impl<'a> Reader<'a> {
         match similar(self.loader, folder, &wrong) {
             Some(near) => {
                 let name = name.strip_suffix(&*wrong).unwrap_or_default();
-                diagnostic.suggest(format!("did you mean `{near}`?"), at, format!("\"{name}{near}\""))
+                diagnostic.fix(format!("did you mean `{near}`?"), at, format!("\"{name}{near}\""))
             }
             None => diagnostic.note("an include is relative to the file that names it"),
         }

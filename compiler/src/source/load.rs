@@ -125,7 +125,7 @@ fn unknown_profile(name: &str, at: Location, profiles: &[Profile]) -> Diagnostic
     let message = format!("there is no profile `{name}`");
     let diagnostic = Diagnostic::new(&faults::UNKNOWN_PROFILE, message, at, "no such profile");
     match near(name, names.iter().copied()) {
-        Some(other) => diagnostic.suggest(format!("did you mean `{other}`?"), at, format!("\"{other}\"")),
+        Some(other) => diagnostic.fix(format!("did you mean `{other}`?"), at, format!("\"{other}\"")),
         None => diagnostic.note(format!("the profiles are {}", list(&names))),
     }
 }

@@ -4,6 +4,7 @@
 
 mod arguments;
 mod findings;
+mod levels;
 mod outputs;
 mod trouble;
 

@@ -33,6 +33,8 @@ struct Label {
 #[derive(Serialize)]
 struct Help {
     text: String,
+    /// Whether a machine may make the edits without asking.
+    sure: bool,
     edits: Vec<Edit>,
 }
 
@@ -84,7 +86,11 @@ fn message(diagnostic: &Diagnostic, sources: &Sources, positions: &Positions<'_>
         notes: notes.clone(),
         helps: helps
             .iter()
-            .map(|help| Help { text: help.text.clone(), edits: help.edits.iter().map(edit).collect() })
+            .map(|help| Help {
+                text: help.text.clone(),
+                sure: help.sure,
+                edits: help.edits.iter().map(edit).collect(),
+            })
             .collect(),
     }
 }

@@ -74,7 +74,11 @@ fn edits_in_one_help_are_one_diff() {
     let sources = sources(&[("device.toml", "min = 5\nmax = 1\n")]);
     let mut diagnostic = Diagnostic::bare(&faults::INVALID_VALUE, "the limits 5 and 1 are swapped");
     let edit = |word, text: &str| Edit { at: place(&sources, 0, word), text: text.to_owned() };
-    diagnostic.helps.push(Help { text: "swap them".to_owned(), edits: vec![edit("5", "1"), edit("1", "5")] });
+    diagnostic.helps.push(Help {
+        text: "swap them".to_owned(),
+        edits: vec![edit("5", "1"), edit("1", "5")],
+        sure: false,
+    });
     assert_snapshot!(text(&diagnostic, &sources, Style::Plain), @r"
     error[invalid-value]: the limits 5 and 1 are swapped
       |

@@ -71,7 +71,7 @@ fn report(key: &Key, meant: Option<&str>, known: &[&'static str]) -> Diagnostic 
     let message = format!("unknown key `{}`", key.name);
     let diagnostic = Diagnostic::new(&faults::UNKNOWN_KEY, message, key.at, "not a key of this table");
     match meant {
-        Some(name) => diagnostic.suggest(format!("did you mean `{name}`?"), key.at, name),
+        Some(name) => diagnostic.fix(format!("did you mean `{name}`?"), key.at, name),
         None => diagnostic.note(format!("its keys are {}", list(known))),
     }
 }

@@ -100,7 +100,7 @@ fn word(diagnostic: Diagnostic, found: &str, known: &[&'static str], quoted: boo
     match (near(found, known.iter().copied()), diagnostic.at()) {
         (Some(name), Some(at)) => {
             let text = if quoted { format!("\"{name}\"") } else { name.to_owned() };
-            diagnostic.suggest(format!("did you mean `{name}`?"), at, text)
+            diagnostic.fix(format!("did you mean `{name}`?"), at, text)
         }
         _ => diagnostic,
     }
