@@ -48,6 +48,14 @@ impl StatePatterns {
     pub fn encode(self, state: State) -> Option<u16> {
         self.0.iter().find(|(of, _)| *of == state).map(|(_, pattern)| pattern.value)
     }
+
+    /// A statusword that shows `state`, with the bits that do not count as given; the bits alone for a state that the
+    /// device has not.
+    #[inline]
+    pub fn show(self, state: State, other_bits: u16) -> u16 {
+        let pattern = self.0.iter().find(|(of, _)| *of == state);
+        pattern.map_or(other_bits, |(_, pattern)| pattern.apply(other_bits))
+    }
 }
 
 /// A statusword that does not tell the state.

@@ -1,0 +1,73 @@
+//! The axes of the C-887, C887T0011, p. 10.
+
+use devc_runtime::cia402::State::{self, *};
+use devc_runtime::cia402::{Coupled, Drive, Events};
+
+use crate::device::c887::MACHINE;
+
+const AXES: usize = 6;
+
+/// Axes that take a fault and axes that have none: every combination of the six.
+fn on_axes(chosen: usize, event: Events) -> [Events; AXES] {
+    core::array::from_fn(|axis| if chosen >> axis & 1 == 1 { event } else { Events::NONE })
+}
+
+#[test]
+fn axes_without_events_are_as_one() {
+    for state in State::ALL {
+        for current in 0..=u16::MAX {
+            for previous in [current, current ^ 0x0080] {
+                let mut one = Drive::new(&MACHINE).resumed(state, previous);
+                let mut six = Coupled::<AXES>::resumed(&MACHINE, state, previous);
+                let step = one.cycle(current, Events::NONE);
+                assert_eq!(six.cycle(current, [Events::NONE; AXES]), step);
+                assert_eq!(six.state(), one.state());
+                assert_eq!(six.statusword(0), one.statusword(0));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fault_of_any_axes_stops_all() {
+    for state in State::ALL {
+        for chosen in 1..1 << AXES {
+            let mut axes = Coupled::<AXES>::resumed(&MACHINE, state, 0x000F);
+            axes.cycle(0x000F, on_axes(chosen, Events::FAULT));
+            let expected = if state == Fault { Fault } else { FaultReactionActive };
+            assert_eq!(axes.state(), expected, "{state} {chosen:06b}");
+            assert_eq!(axes.axes(), &[expected; AXES]);
+        }
+    }
+}
+
+#[test]
+fn start_and_the_end_of_a_fault_reaction_take_all_axes() {
+    for (from, event, to) in [
+        (NotReadyToSwitchOn, Events::INITIALISED, SwitchOnDisabled),
+        (FaultReactionActive, Events::FAULT_REACTION_OVER, Fault),
+    ] {
+        for first in 0..1 << AXES {
+            let all = (1 << AXES) - 1;
+            let mut axes = Coupled::<AXES>::resumed(&MACHINE, from, 0);
+            axes.cycle(0, on_axes(first, event));
+            assert_eq!(axes.state(), if first == all { to } else { from });
+            axes.cycle(0, on_axes(all & !first, event));
+            assert_eq!(axes.state(), to, "{first:06b}");
+        }
+    }
+}
+
+#[test]
+fn a_reset_takes_all_axes_and_an_edge_for_each_that_was_not_ready() {
+    for stuck in 1..1 << AXES {
+        let mut axes = Coupled::<AXES>::resumed(&MACHINE, Fault, 0);
+        axes.cycle(0x0080, on_axes(stuck, Events::FAULT));
+        assert_eq!(axes.state(), Fault, "{stuck:06b}");
+        axes.cycle(0x0080, [Events::NONE; AXES]);
+        assert_eq!(axes.state(), Fault, "a reset that is held");
+        axes.cycle(0x0000, [Events::NONE; AXES]);
+        axes.cycle(0x0080, [Events::NONE; AXES]);
+        assert_eq!(axes.state(), SwitchOnDisabled);
+    }
+}

@@ -1,0 +1,6 @@
+//! The machines of both sides against the manuals, each state with each word.
+
+mod coupling;
+mod device;
+mod drive;
+mod modes;
