@@ -91,6 +91,27 @@ fn every_object_pdo_and_error_is_there() {
     }
 }
 
+/// What the members of a family share stands once.
+#[test]
+fn every_heading_stands_once() {
+    for (family, text) in references() {
+        let mut headings = BTreeSet::new();
+        for heading in text.lines().filter(|line| line.starts_with("##")) {
+            assert!(headings.insert(heading), "{}: {heading} twice", family.id);
+        }
+    }
+}
+
+#[test]
+fn what_tells_members_apart_is_said_of_each() {
+    let (_, text) = references().into_iter().find(|(family, _)| family.id == "s700").unwrap();
+    assert!(text.contains("|  | S300 | S400 | S600 | S700 |"), "{text}");
+    let only = "`0x1600` Free mapping\n\n*Only S300 and S700.*";
+    assert!(text.contains(only), "the free mapping names its members");
+    let assigned = "*S400 and S600:* **6\u{A0}bytes** · assigned by default";
+    assert!(text.contains(assigned), "a default names its members");
+}
+
 #[test]
 fn the_sums_of_the_c887_are_those_of_its_manual() {
     let (_, text) = references().into_iter().find(|(family, _)| family.id == "c887").unwrap();

@@ -26,8 +26,13 @@ use super::document::{Prepared, prepare};
 /// Makes a chapter, if there is anything to show.
 type Prepare = fn(&Context<'_>) -> Option<Prepared>;
 
+/// The chapters of a device, in the order of the document.
+pub(super) fn chapters(context: &Context<'_>) -> impl Iterator<Item = Prepared> {
+    CHAPTERS.iter().filter_map(|chapter| chapter(context))
+}
+
 /// All chapters, in the order of the document.
-pub(super) static CHAPTERS: &[Prepare] = &[
+static CHAPTERS: &[Prepare] = &[
     prepare::<device::View>,
     prepare::<axes::View>,
     prepare::<connections::View>,

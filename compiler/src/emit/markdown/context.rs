@@ -12,43 +12,39 @@ use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, 
 pub(super) struct Context<'a> {
     /// The device.
     pub(super) device: &'a Device,
-    prefix: String,
+    /// All devices in the same document.
+    members: &'a [Device],
 }
 
 impl<'a> Context<'a> {
-    /// A device whose anchors begin with `prefix`, as other devices are in the same document.
-    pub(super) fn new(device: &'a Device, prefix: String) -> Self {
-        Self { device, prefix }
-    }
-
-    /// An anchor's name.
-    pub(super) fn id(&self, id: &str) -> String {
-        format!("{}{id}", self.prefix)
+    /// A device in a document with others of its family: what it names but lacks may be described for them.
+    pub(super) fn new(device: &'a Device, members: &'a [Device]) -> Self {
+        Self { device, members }
     }
 
     /// The anchor of an object; that of the first axis stands for all.
     pub(super) fn object_id(&self, object: &Object) -> String {
-        self.id(&format!("obj-{:04x}", self.leading_object(object).0))
+        format!("obj-{:04x}", self.leading_object(object).0)
     }
 
     /// The anchor of a PDO; that of the first axis stands for all.
     pub(super) fn pdo_id(&self, pdo: &Pdo) -> String {
-        self.id(&format!("pdo-{:04x}", self.leading_pdo(pdo).0))
+        format!("pdo-{:04x}", self.leading_pdo(pdo).0)
     }
 
     /// The anchor of a word.
     pub(super) fn word_id(&self, id: &str) -> String {
-        self.id(&format!("word-{id}"))
+        format!("word-{id}")
     }
 
     /// The anchor of an error code.
     pub(super) fn error_id(&self, error: &ErrorCode) -> String {
-        self.id(&format!("error-{:04x}", error.code))
+        format!("error-{:04x}", error.code)
     }
 
     /// The anchor of a mode.
     pub(super) fn mode_id(&self, code: i16) -> String {
-        self.id(&format!("mode-{code}"))
+        format!("mode-{code}")
     }
 
     /// An index, linked to the PDO or the object that it names.
@@ -56,17 +52,21 @@ impl<'a> Context<'a> {
         self.linked(index, &code(index))
     }
 
-    /// A label, linked to what the index names: a PDO, an object, or an error code.
+    /// A label, linked to what the index names, in this device or else in another of the document.
     fn linked(&self, index: Index, label: &str) -> String {
+        let own = self.anchor(index);
+        let others = || self.members.iter().find_map(|device| Context::new(device, &[]).anchor(index));
+        own.or_else(others).map_or_else(|| label.into(), |anchor| link(label, anchor))
+    }
+
+    /// The anchor of what an index names: a PDO, an object, or an error code.
+    fn anchor(&self, index: Index) -> Option<String> {
         let device = self.device;
-        if let Some(pdo) = device.pdo(index) {
-            return link(label, self.pdo_id(pdo));
-        }
-        if let Some(object) = device.object(index) {
-            return link(label, self.object_id(object));
-        }
-        let error = device.errors.iter().find(|error| error.code == index.0);
-        error.map_or_else(|| label.into(), |error| link(label, self.error_id(error)))
+        let pdo = device.pdo(index).map(|pdo| self.pdo_id(pdo));
+        let object = || device.object(index).map(|object| self.object_id(object));
+        let error =
+            || device.errors.iter().find(|error| error.code == index.0).map(|error| self.error_id(error));
+        pdo.or_else(object).or_else(error)
     }
 
     /// An address, linked to its object. Subindex 0 stands for the object.
@@ -128,13 +128,18 @@ impl<'a> Context<'a> {
             .map(|command| command.name.as_str())
     }
 
-    /// Where a fact is from: the place, with the document unless it is the main one.
+    /// Where a fact is from, in small print.
     pub(super) fn source(&self, source: Option<&Source>) -> String {
+        small(&self.place(source))
+    }
+
+    /// Where a fact is from: the place, with the document unless it is the main one.
+    pub(super) fn place(&self, source: Option<&Source>) -> String {
         let Some(source) = source else { return String::new() };
         let main = self.device.documents.first().map(|document| document.id.as_str());
         match source.document.as_deref().filter(|id| Some(*id) != main) {
             Some(id) => {
-                format!("{}, {}", link(text(id), self.id(&format!("doc-{id}"))), self.prose(&source.place))
+                format!("{}, {}", link(text(id), format!("doc-{id}")), self.prose(&source.place))
             }
             None => self.prose(&source.place),
         }
@@ -142,22 +147,34 @@ impl<'a> Context<'a> {
 
     /// Where a fact is from, in a line of small print.
     pub(super) fn source_line(&self, source: Option<&Source>) -> String {
-        let place = self.source(source);
+        let place = self.place(source);
         if place.is_empty() { place } else { small(&format!("Source: {place}")) }
     }
 
-    /// The unit of an entry, linked; of all axes, if it stands for them.
+    /// The unit of an entry, linked; of all axes, if it stands for them. Where members count in different
+    /// units, the quantity stands for them.
     pub(super) fn unit(&self, entry: &Entry) -> String {
         let Some(id) = entry.unit.as_deref() else { return String::new() };
-        let mut symbols: Vec<&str> = Vec::new();
-        for on_axis in self.device.unit(id).into_iter().flat_map(|unit| &unit.axes) {
-            if !symbols.contains(&on_axis.symbol.as_str()) {
-                symbols.push(&on_axis.symbol);
-            }
-        }
-        let label = if symbols.is_empty() { id.to_owned() } else { symbols.join(", ") };
-        link(text(&label), self.id(&format!("unit-{id}")))
+        let symbols = symbols(self.device, id);
+        let others = self.members.iter().filter_map(|member| member.unit(id));
+        let label = match self.members.iter().all(|member| symbols == self::symbols(member, id)) {
+            _ if symbols.is_empty() => id.to_owned(),
+            true => symbols.join(", "),
+            false => others.map(|unit| unit.quantity.as_str()).next().unwrap_or(id).to_owned(),
+        };
+        link(text(&label), format!("unit-{id}"))
     }
+}
+
+/// What a unit is called on the axes, each name once.
+fn symbols<'d>(device: &'d Device, id: &str) -> Vec<&'d str> {
+    let mut symbols: Vec<&str> = Vec::new();
+    for on_axis in device.unit(id).into_iter().flat_map(|unit| &unit.axes) {
+        if !symbols.contains(&on_axis.symbol.as_str()) {
+            symbols.push(&on_axis.symbol);
+        }
+    }
+    symbols
 }
 
 /// Whether an object is one value.

@@ -1,16 +1,20 @@
-//! A family as one document.
+//! A device, or a family, as one document.
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
 use minijinja::{Environment, UndefinedBehavior, Value, context};
 use serde::Serialize;
 
-use super::chapters::CHAPTERS;
+use super::chapters;
 use super::context::Context;
-use super::inline::{link, text};
+use super::family;
+use super::inline::text;
+use super::table::sources_once;
 use crate::model::{Device, Family};
 
-const TEMPLATE: &str = include_str!("templates/document.md.j2");
+const ALONE: &str = include_str!("templates/document.md.j2");
+const FAMILY: &str = include_str!("templates/family.md.j2");
+const BODY: &str = include_str!("templates/body.md.j2");
 
 /// What a chapter shows.
 pub(super) trait Chapter: Serialize + Sized {
@@ -42,7 +46,7 @@ pub(super) struct Section {
 /// A chapter ready for its template.
 pub(super) struct Prepared {
     title: &'static str,
-    anchor: String,
+    anchor: &'static str,
     sections: Vec<Section>,
     template: &'static str,
     view: Value,
@@ -53,62 +57,50 @@ pub(super) fn prepare<C: Chapter>(context: &Context<'_>) -> Option<Prepared> {
     let view = C::view(context)?;
     Some(Prepared {
         title: C::TITLE,
-        anchor: context.id(C::ID),
+        anchor: C::ID,
         sections: view.sections(),
         template: C::TEMPLATE,
         view: Value::from(Serde(view)),
     })
 }
 
-/// The whole document: a part for each member.
+/// The whole document: a reference, or the references of a family as one.
 pub(super) fn document(family: &Family) -> String {
-    let alone = family.members.len() == 1;
-    let parts = family.members.iter().map(|device| {
-        let prefix = if alone { String::new() } else { format!("{}-", device.id) };
-        let part = part(&Context::new(device, prefix));
-        // Views and templates are part of devc, and each is rendered by a test: this says where one is broken.
-        part.unwrap_or_else(|error| format!("# {}\n\ndevc could not print this: {error:#}\n", device.id))
-    });
-    let mut parts: Vec<String> = parts.collect();
-    if !alone {
-        parts.insert(0, overview(family));
-    }
-    tidy(&format!(
-        "<!-- Made by devc from the description of {}; not to be edited. -->\n{}",
-        family.id,
-        parts.join("\n")
-    ))
+    // Views and templates are part of devc, and each is rendered by a test: this says where one is broken.
+    let reference =
+        reference(family).unwrap_or_else(|error| format!("devc could not print this: {error:#}\n"));
+    let text = tidy(&format!(
+        "<!-- Made by devc from the description of {}; not to be edited. -->\n{reference}",
+        family.id
+    ));
+    sources_once(&text)
 }
 
-/// What the members of a family share, and where each is described.
-fn overview(family: &Family) -> String {
-    let members = family.members.iter().map(|device| {
-        let title = device.title.as_deref().map_or(String::new(), |title| format!(": {}", text(title)));
-        format!("- {}{title}\n", link(text(&device.name), format!("{}-device", device.id)))
-    });
-    let about = family.about.as_deref().map_or(String::new(), text);
-    format!("\n# {}\n\n{about}\n\n{}", text(&family.name), members.collect::<String>())
-}
-
-fn part(context: &Context<'_>) -> Result<String, minijinja::Error> {
+fn reference(family: &Family) -> Result<String, minijinja::Error> {
     let environment = environment()?;
-    let prepared: Vec<Prepared> = CHAPTERS.iter().filter_map(|chapter| chapter(context)).collect();
+    let bodies =
+        family.members.iter().map(|device| body(&environment, &Context::new(device, &family.members)));
+    let bodies: Vec<String> = bodies.collect::<Result<_, _>>()?;
+    match family.members.as_slice() {
+        [alone] => environment.render_named_str("document", ALONE, front(alone, bodies.concat())),
+        _ => environment.render_named_str("family", FAMILY, family::view(family, &bodies)),
+    }
+}
+
+/// The contents and the chapters of one device.
+fn body(environment: &Environment<'_>, context: &Context<'_>) -> Result<String, minijinja::Error> {
     let mut chapters = Vec::new();
-    for Prepared { title, anchor, sections, template, view } in prepared {
+    for Prepared { title, anchor, sections, template, view } in chapters::chapters(context) {
         let body = environment.render_named_str(title, template, view)?;
         chapters.push(context! { title, anchor, sections => Serde(sections), body });
     }
-    environment.render_named_str("document", TEMPLATE, front(context.device, chapters))
+    let main = context.device.documents.first().map_or(String::new(), |document| text(&document.title));
+    Ok(tidy(&environment.render_named_str("body", BODY, context! { main, chapters })?))
 }
 
-fn front(device: &Device, chapters: Vec<Value>) -> Value {
-    let optional = |text: &Option<String>| text.as_deref().map_or(String::new(), self::text);
-    context! {
-        name => text(&device.name),
-        title => optional(&device.title),
-        main => device.documents.first().map_or(String::new(), |document| text(&document.title)),
-        chapters,
-    }
+fn front(device: &Device, body: String) -> Value {
+    let title = device.title.as_deref().map_or(String::new(), text);
+    context! { name => text(&device.name), title, body }
 }
 
 fn environment() -> Result<Environment<'static>, minijinja::Error> {

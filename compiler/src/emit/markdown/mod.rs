@@ -7,6 +7,7 @@
 mod chapters;
 mod context;
 mod document;
+mod family;
 mod inline;
 mod number;
 mod table;

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 
 use super::inline::small;
 
-/// The title of the column that is set in small print. What most rows have in it is said once, below.
+/// The title of the column that says where a row is from. What most rows have in it is said once, below.
 const SOURCE: &str = "Source";
 
 /// A table whose cells are Markdown already. It prints nothing while it has no rows, and leaves out columns
@@ -45,26 +45,60 @@ impl Table {
         self.rows.is_empty()
     }
 
-    /// What at least half of the rows name as their source, if every row names one.
-    fn common_source(&self) -> Option<&str> {
+    /// The titles of the columns.
+    pub(super) fn titles(&self) -> impl Iterator<Item = &str> {
+        self.titles.iter().map(String::as_str)
+    }
+
+    /// The rows, each with its cells.
+    pub(super) fn rows(&self) -> impl Iterator<Item = &[String]> {
+        self.rows.iter().map(Vec::as_slice)
+    }
+
+    /// Reads a table as it is printed.
+    pub(super) fn parse(text: &str) -> Self {
+        let mut lines = text.lines().map(cells);
+        let mut table = Self { titles: lines.next().unwrap_or_default(), rows: Vec::new() };
+        table.rows.extend(lines.skip(1));
+        table
+    }
+
+    /// Takes what at least half of the rows name as their source out of them, if every row names one.
+    fn take_common_source(&mut self) -> Option<String> {
         let column = self.titles.iter().position(|title| title == SOURCE)?;
         let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
         for row in &self.rows {
             *counts.entry(row.get(column).map_or("", String::as_str)).or_default() += 1;
         }
         let (source, count) = counts.iter().max_by_key(|(_, count)| **count)?;
-        (!counts.contains_key("") && count * 2 >= self.rows.len()).then_some(source)
+        let source =
+            (!counts.contains_key("") && count * 2 >= self.rows.len()).then(|| (*source).to_owned())?;
+        let cells = self.rows.iter_mut().filter_map(|row| row.get_mut(column));
+        cells.filter(|cell| **cell == source).for_each(String::clear);
+        Some(source)
     }
+}
 
-    /// The cells as they are printed.
-    fn cells(&self, common: Option<&str>) -> Vec<Vec<String>> {
-        let print = |(title, cell): (&String, &String)| match title.as_str() {
-            SOURCE if Some(cell.as_str()) == common => String::new(),
-            SOURCE => small(cell),
-            _ => cell.clone(),
-        };
-        self.rows.iter().map(|row| self.titles.iter().zip(row).map(print).collect()).collect()
-    }
+/// Says below each table of a document what most of its rows are from.
+pub(super) fn sources_once(text: &str) -> String {
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let blocks = lines.chunk_by(|one, next| one.starts_with('|') == next.starts_with('|'));
+    let blocks = blocks.map(<[&str]>::concat).map(|block| {
+        let mut table = Table::parse(&block);
+        match table.take_common_source() {
+            Some(source) if block.starts_with('|') => {
+                let exceptions = table.titles.iter().position(|title| title == SOURCE);
+                let exceptions =
+                    exceptions.is_some_and(|column| table.rows.iter().any(|row| !blank(row, column)));
+                let otherwise = if exceptions { ", unless a row says otherwise" } else { "" };
+                let place = source.strip_prefix("<sub>").and_then(|place| place.strip_suffix("</sub>"));
+                let place = place.unwrap_or(&source);
+                format!("{table}\n{}\n", small(&format!("Source: {place}{otherwise}")))
+            }
+            _ => block,
+        }
+    });
+    blocks.collect()
 }
 
 impl fmt::Display for Table {
@@ -72,17 +106,11 @@ impl fmt::Display for Table {
         if self.is_empty() {
             return Ok(());
         }
-        let common = self.common_source();
-        let rows = self.cells(common);
         let used: Vec<bool> =
-            (0..self.titles.len()).map(|column| rows.iter().any(|row| !blank(row, column))).collect();
+            (0..self.titles.len()).map(|column| self.rows.iter().any(|row| !blank(row, column))).collect();
         line(f, &used, &self.titles)?;
         line(f, &used, &vec!["---".to_owned(); used.len()])?;
-        rows.iter().try_for_each(|row| line(f, &used, row))?;
-        let Some(source) = common else { return Ok(()) };
-        let exceptions = used.last().is_some_and(|used| *used);
-        let otherwise = if exceptions { ", unless a row says otherwise" } else { "" };
-        writeln!(f, "\n{}", small(&format!("Source: {source}{otherwise}")))
+        self.rows.iter().try_for_each(|row| line(f, &used, row))
     }
 }
 
@@ -90,6 +118,12 @@ impl Serialize for Table {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
+}
+
+/// The cells of a line. What stands in them has no bare bars.
+fn cells(line: &str) -> Vec<String> {
+    let inner = line.strip_prefix("| ").unwrap_or(line);
+    inner.strip_suffix(" |").unwrap_or(inner).split(" | ").map(String::from).collect()
 }
 
 fn blank(row: &[String], column: usize) -> bool {
@@ -121,17 +155,27 @@ mod tests {
     fn columns_without_content_are_left_out() {
         assert_eq!(
             table(&[["a", "", "p. 1"], ["b", "", "p. 2"], ["c", "", ""]]),
-            "| Name | Source |\n| --- | --- |\n| a | <sub>p. 1</sub> |\n| b | <sub>p. 2</sub> |\n| c |  |\n"
+            "| Name | Source |\n| --- | --- |\n| a | p. 1 |\n| b | p. 2 |\n| c |  |\n"
         );
     }
 
     #[test]
+    fn what_is_printed_can_be_read() {
+        let printed = "| X |  | Y |\n| --- | --- | --- |\n| a \\| b |  | c |\n|  | d |  |\n";
+        let table = Table::parse(printed);
+        assert_eq!(table.rows().collect::<Vec<_>>(), [["a \\| b", "", "c"], ["", "d", ""]]);
+        assert_eq!(table.to_string(), printed);
+    }
+
+    #[test]
     fn a_source_of_most_rows_is_said_once() {
+        let small = |place: &str| small(place);
+        let two = table(&[["a", "x", &small("p. 1")], ["b", "", &small("p. 1")]]);
         assert_eq!(
-            table(&[["a", "x", "p. 1"], ["b", "", "p. 1"]]),
-            "| Name | Notes |\n| --- | --- |\n| a | x |\n| b |  |\n\n<sub>Source: p. 1</sub>\n"
+            sources_once(&format!("text\n\n{two}\nmore\n")),
+            "text\n\n| Name | Notes |\n| --- | --- |\n| a | x |\n| b |  |\n\n<sub>Source: p. 1</sub>\n\nmore\n"
         );
-        let mixed = table(&[["a", "x", "p. 1"], ["b", "", "p. 1"], ["c", "", "p. 2"]]);
+        let mixed = sources_once(&(two + &format!("| c |  | {} |\n", small("p. 2"))));
         assert!(mixed.contains("| c |  | <sub>p. 2</sub> |"), "{mixed}");
         assert!(mixed.ends_with("<sub>Source: p. 1, unless a row says otherwise</sub>\n"), "{mixed}");
     }

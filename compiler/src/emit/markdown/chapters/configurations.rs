@@ -54,7 +54,7 @@ impl Chapter for View {
 
 fn configuration(context: &Context<'_>, configuration: &Configuration) -> ConfigurationView {
     ConfigurationView {
-        anchor: context.id(&format!("configuration-{}", configuration.id)),
+        anchor: format!("configuration-{}", configuration.id),
         name: text(&configuration.name),
         about: context.paragraphs(configuration.about.as_deref()),
         facts: facts(context, configuration),

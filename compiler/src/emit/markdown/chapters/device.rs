@@ -39,7 +39,7 @@ fn facts(context: &Context<'_>) -> Table {
     let device = context.device;
     let names = list(context.axis_names().map(text));
     let axes = match context.has_axes() {
-        true => format!("{}: {}", link(device.axes.len(), context.id("axes")), names),
+        true => format!("{}: {}", link(device.axes.len(), "axes"), names),
         false => String::new(),
     };
     let rows = [
@@ -54,7 +54,7 @@ fn facts(context: &Context<'_>) -> Table {
         ("EEPROM", eeprom(device)),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
-    Table::of(["Device", &text(&device.name)], rows, |(name, value)| [name.into(), value])
+    Table::of(["Device", "Facts"], rows, |(name, value)| [name.into(), value])
 }
 
 fn process_data(context: &Context<'_>) -> String {
@@ -63,7 +63,7 @@ fn process_data(context: &Context<'_>) -> String {
         return String::new();
     }
     let sizes = format!("{} of outputs, {} of inputs", size(Role::Outputs), size(Role::Inputs));
-    format!("{} by default", link(sizes, context.id("process-data")))
+    format!("{} by default", link(sizes, "process-data"))
 }
 
 /// What each port is, by the letters of an ESI.

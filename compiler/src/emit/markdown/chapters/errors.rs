@@ -67,11 +67,11 @@ fn codes(error: &ErrorCode) -> String {
 
 fn vendor_code(context: &Context<'_>, number: u32) -> String {
     let known = context.device.vendor_codes.iter().any(|vendor| vendor.code == number);
-    if known { link(code(number), vendor_id(context, number)) } else { code(number) }
+    if known { link(code(number), vendor_id(number)) } else { code(number) }
 }
 
-fn vendor_id(context: &Context<'_>, number: u32) -> String {
-    context.id(&format!("vendor-code-{number}"))
+fn vendor_id(number: u32) -> String {
+    format!("vendor-code-{number}")
 }
 
 fn vendor_codes(context: &Context<'_>) -> Table {
@@ -79,7 +79,7 @@ fn vendor_codes(context: &Context<'_>) -> Table {
     Table::of(titles, &context.device.vendor_codes, |vendor| {
         let errors = context.device.errors.iter().filter(|error| error.vendor_codes.contains(&vendor.code));
         [
-            format!("{}{}", anchor(vendor_id(context, vendor.code)), code(vendor.code)),
+            format!("{}{}", anchor(vendor_id(vendor.code)), code(vendor.code)),
             format!("**{}**", text(&vendor.name)),
             meaning(context, vendor),
             list(errors.map(|error| link(codes(error), context.error_id(error)))),

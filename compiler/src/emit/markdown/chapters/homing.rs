@@ -57,7 +57,7 @@ fn table(context: &Context<'_>, methods: &[HomingMethod]) -> Table {
     ];
     Table::of(titles, methods, |method| {
         let numbers = [method.number].into_iter().chain(method.aliases.iter().copied());
-        let id = context.id(&format!("homing-{}", method.number));
+        let id = format!("homing-{}", method.number);
         [
             format!("{}{}", anchor(id), list(numbers.map(code))),
             format!("**{}**", text(&method.name)),

@@ -52,7 +52,7 @@ impl Chapter for View {
 fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
     let common = area.common_source();
     let mut view = AreaView {
-        anchor: context.id(&format!("area-{:04x}", area.first)),
+        anchor: format!("area-{:04x}", area.first),
         title: text(area.name),
         about: context.paragraphs(area.about),
         source: common.map_or(String::new(), |common| source_line(context, common)),
@@ -77,7 +77,7 @@ fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
 
 /// Where the objects of an area are from that name nothing else.
 fn source_line(context: &Context<'_>, common: &Source) -> String {
-    small(&format!("Source: {}, unless an object says otherwise", context.source(Some(common))))
+    small(&format!("Source: {}, unless an object says otherwise", context.place(Some(common))))
 }
 
 /// Whether an object is the mapping of a PDO, which the chapter of process data shows.

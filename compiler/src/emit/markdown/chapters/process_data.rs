@@ -17,7 +17,7 @@ pub(in crate::emit::markdown) struct View {
 #[derive(Serialize)]
 struct DirectionView {
     title: &'static str,
-    anchor: String,
+    anchor: &'static str,
     overview: Table,
     image_size: String,
     image: Table,
@@ -48,7 +48,7 @@ impl Chapter for View {
     }
 
     fn sections(&self) -> Vec<Section> {
-        let section = |way: &DirectionView| Section { title: way.title.into(), anchor: way.anchor.clone() };
+        let section = |way: &DirectionView| Section { title: way.title.into(), anchor: way.anchor.into() };
         self.directions.iter().map(section).collect()
     }
 }
@@ -61,7 +61,7 @@ fn direction(context: &Context<'_>, way: Direction, role: Role) -> Option<Direct
     let pdos: Vec<&Pdo> = context.leading_pdos().filter(|pdo| pdo.direction == way).collect();
     (!pdos.is_empty()).then(|| DirectionView {
         title,
-        anchor: context.id(id),
+        anchor: id,
         overview: overview(context, &pdos),
         image_size: bytes(context.device.image_bytes(role)),
         image: image(context, role),

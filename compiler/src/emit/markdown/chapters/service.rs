@@ -108,7 +108,7 @@ fn values(context: &Context<'_>, range: &ValueRange) -> String {
 
 fn procedure_view(context: &Context<'_>, procedure: &Procedure) -> ProcedureView {
     ProcedureView {
-        anchor: context.id(&format!("procedure-{}", procedure.id)),
+        anchor: format!("procedure-{}", procedure.id),
         name: text(&procedure.name),
         about: context.paragraphs(procedure.about.as_deref()),
         steps: procedure.steps.iter().map(|one| step(context, one)).collect(),

@@ -49,7 +49,7 @@ fn documents(context: &Context<'_>) -> Table {
     Table::of(titles, &context.device.documents, |document| {
         let optional = |plain: &Option<String>| plain.as_deref().map_or(String::new(), text);
         [
-            format!("{}{}", anchor(context.id(&format!("doc-{}", document.id))), text(&document.title)),
+            format!("{}{}", anchor(format!("doc-{}", document.id)), text(&document.title)),
             optional(&document.number),
             optional(&document.edition),
             optional(&document.publisher),

@@ -59,7 +59,7 @@ fn groups(unit: &Unit) -> Vec<(Vec<u8>, &AxisUnit)> {
 fn row(context: &Context<'_>, unit: &Unit, first: bool, axes: &[u8], on_axis: &AxisUnit) -> [String; 9] {
     let once = |cell: String| if first { cell } else { String::new() };
     [
-        once(format!("{}**{}**", anchor(context.id(&format!("unit-{}", unit.id))), text(&unit.quantity))),
+        once(format!("{}**{}**", anchor(format!("unit-{}", unit.id)), text(&unit.quantity))),
         once(path(unit.path).into()),
         if axes.is_empty() { String::new() } else { context.axis_range(axes) },
         text(&on_axis.symbol),

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{is_mapping, overview, per_axis};
 use crate::emit::markdown::context::{Context, is_single};
-use crate::emit::markdown::inline::{anchor, code, link, list, sentence, small, text};
+use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
 
@@ -87,7 +87,7 @@ fn entries(context: &Context<'_>, object: &Object) -> Vec<String> {
         statements.retain(|one| !told.contains(one));
         statements.extend(entry.trigger.iter().map(|trigger| trigger_text(context, entry, trigger)));
         let own = entry.source.as_ref().filter(|own| Some(*own) != object.source.as_ref());
-        statements.extend(own.map(|own| small(&context.source(Some(own)))));
+        statements.extend(own.map(|own| context.source(Some(own))));
         let subindex = code(format!(":{:02X}", entry.address.subindex));
         (!statements.is_empty())
             .then(|| format!("{subindex} **{}**: {}", text(&entry.name), statements.join(" ")))

@@ -1,0 +1,70 @@
+//! Running text and lists that members have in versions of their own.
+
+use super::align::{Unit, align};
+use super::names::Names;
+
+/// A list whose lines are not all the same.
+pub(super) fn list(names: &Names<'_>, versions: &[(usize, &str)]) -> String {
+    let members: Vec<usize> = versions.iter().map(|(member, _)| *member).collect();
+    let lines = versions.iter().map(|(member, text)| (*member, text.lines().collect()));
+    let lines = align(lines, |one: &&str, other: &&str| is_version(one, other), |_, _| false);
+    let lines = lines.iter().map(|unit| {
+        let text = text(names, &unit.items);
+        format!("{text}{}", names.remark(&unit.members(), &members))
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Text with each sentence once; one that not all have says who has it.
+pub(super) fn text(names: &Names<'_>, versions: &[(usize, &str)]) -> String {
+    let members: Vec<usize> = versions.iter().map(|(member, _)| *member).collect();
+    let sentences = versions.iter().map(|(member, text)| (*member, sentences(text)));
+    let sentences = align(sentences, |one: &&str, other: &&str| one == other, opens_alike);
+    let sentences = sentences.iter().filter_map(|unit: &Unit<&str>| {
+        let (_, sentence) = unit.items.first()?;
+        Some(format!("{sentence}{}", names.remark(&unit.members(), &members)))
+    });
+    sentences.collect::<Vec<_>>().join(" ")
+}
+
+/// Whether two texts are versions of one: they open with the same sentence, or with the same label.
+pub(super) fn is_version(one: &str, other: &str) -> bool {
+    let opening = |text| sentences(text).first().copied().map(str::to_owned);
+    let label = |text: &str| text.split_once("**: ").map(|(label, _)| label.to_owned());
+    let (opens, labels) = ((opening(one), opening(other)), (label(one), label(other)));
+    one == other || opens.0 == opens.1 || (labels.0.is_some() && labels.0 == labels.1)
+}
+
+/// Sentences by their full stops.
+fn sentences(text: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    let mut rest = text;
+    while let Some(end) = rest.find(". ") {
+        let (sentence, after) = rest.split_at(end + 1);
+        found.push(sentence);
+        rest = after.trim_start();
+    }
+    found.push(rest);
+    found
+}
+
+/// Whether two sentences begin with the same word.
+fn opens_alike(one: &&str, other: &&str) -> bool {
+    one.split(' ').next() == other.split(' ').next()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_that_not_all_have_says_who_has_it() {
+        let names = ["A".to_owned(), "B".to_owned()];
+        let versions = [(0, "- **x**: One. Mapped in 1. Last."), (1, "- **x**: One. Mapped in 2. Last.")];
+        assert_eq!(
+            list(&Names(&names), &versions),
+            "- **x**: One. Mapped in 1. *(A)* Mapped in 2. *(B)* Last."
+        );
+        assert_eq!(list(&Names(&names), &[(0, "- a\n- b"), (1, "- b")]), "- a *(A)*\n- b");
+    }
+}
