@@ -102,12 +102,17 @@ fn object(
         about: value.about.clone(),
         note: value.note.clone(),
         functional: value.functional.unwrap_or(true),
-        parameter: value.parameter.clone(),
+        parameter: value.parameter.clone().or_else(|| coordinate(context, &object.key)),
         entries,
         provenance: context.provenance(&object.origin, "name"),
         source: facts::source(context, &object.facts),
         origin: object.origin.clone(),
     })
+}
+
+/// The coordinate that the object is described under, if it is not under its index.
+fn coordinate(context: &Context<'_>, key: &str) -> Option<String> {
+    context.names.coordinate(key).map(|_| key.to_owned())
 }
 
 /// What the object is made of, as written or as its entries look.
