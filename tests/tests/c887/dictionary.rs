@@ -5,13 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use devc::model::{Access, Address, Entry, Index, Object, Value};
 use devc_tests::manual::{self, Sub, c887};
 
-use crate::{device, rows};
+use crate::{departs, device, rows};
 
-/// Names that the manual misspells, and that the description corrects.
-const MISPRINTS: [(&str, &str); 3] = [
-    ("Idendity object", "Identity object"),
-    ("Sync Manage r2 PDO assignment", "Sync Manager 2 PDO assignment"),
-    ("Sync Manager3 PDO assignment", "Sync Manager 3 PDO assignment"),
+/// Names that the manual misspells, and what the description makes of them.
+const MISPRINTS: [((&str, &str), &str); 3] = [
+    (("Idendity object", "Identity object"), "d for t"),
+    (("Sync Manage r2 PDO assignment", "Sync Manager 2 PDO assignment"), "a blank in the wrong place"),
+    (("Sync Manager3 PDO assignment", "Sync Manager 3 PDO assignment"), "a blank left out"),
 ];
 
 /// The rows that name a single entry; two rows name all entries of an object, `1C32:01:32` and `1C33:01:32`.
@@ -69,13 +69,11 @@ fn each_axis_has_twenty_three_entries() {
 
 #[test]
 fn names_are_as_printed() {
-    for (row, address) in entry_rows() {
-        let printed =
-            MISPRINTS.iter().find(|(wrong, _)| *wrong == row.name).map_or(row.name, |(_, right)| right);
-        let object = object(row.index);
-        let name = if address.subindex == 0 { &object.name } else { &entry(address).name };
-        assert_eq!(name, printed, "{address}");
-    }
+    let other = entry_rows().filter_map(|(row, address)| {
+        let name = if address.subindex == 0 { &object(row.index).name } else { &entry(address).name };
+        (name != row.name).then_some((row.name, name.as_str()))
+    });
+    departs(other, MISPRINTS);
 }
 
 #[test]

@@ -5,12 +5,7 @@ use std::collections::BTreeSet;
 use devc::model::{Answer, Field, Scope};
 use devc_tests::manual::{Axes, Brake, c887};
 
-use crate::{device, rows};
-
-/// Names in one spelling, since the manual has several.
-fn plain(name: &str) -> String {
-    name.chars().filter(|c| c.is_ascii_alphanumeric()).collect::<String>().to_lowercase()
-}
+use crate::{device, plain, rows};
 
 #[test]
 fn states_have_the_patterns_of_figure_9() {
