@@ -60,7 +60,7 @@ fn an_unreadable_file_is_reported() {
     let desk = Desk::new(&[("drive", &format!("include = [\"locked.toml\"]\n{SOUND}"))]);
     desk.put("devices/drive/locked.toml", "");
     let locked = desk.path("devices/drive/locked.toml");
-    fs::set_permissions(&locked, fs::Permissions::from_mode(0)).expect("a mode can be set");
+    fs::set_permissions(&locked, fs::Permissions::from_mode(0o000)).expect("a mode can be set");
     let expected: (i32, &[&str]) = match fs::read(&locked) {
         Ok(_) => (0, &["no findings"]),
         Err(_) => (1, &["error[unreadable-file]", "permission denied", "included here"]),
