@@ -102,7 +102,7 @@ impl Axis {
 pub mod objects {
     use super::*;
 
-    /// `0x1000:00` Device type. UINT32, ro, default 0x0002\_0192 (p. 21 to 31).
+    /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (p. 21 to 31).
     ///
     /// The device profile in the lower half, what kind of device it describes in the upper half.
     pub const DEVICE_TYPE: Entry<C887, u32, ReadOnly> = Entry::new(0x1000, 0);
@@ -153,7 +153,7 @@ pub mod objects {
         /// The version of what the device shows on the bus.
         pub const REVISION_NUMBER: Entry<C887, u32, ReadOnly> = Entry::new(0x1018, 3);
 
-        /// `0x1018:04` Serial number. UINT32, ro, default 0x1234\_5678.
+        /// `0x1018:04` Serial number. UINT32, ro, default 0x12345678.
         ///
         /// The single device; 0 if it has no number of its own.
         pub const SERIAL_NUMBER: Entry<C887, u32, ReadOnly> = Entry::new(0x1018, 4);
@@ -170,17 +170,17 @@ pub mod objects {
             axis.entry(0x1600, 0x10, 0)
         }
 
-        /// `0x1600:01` Controlword. UINT32, ro, default 0x6040\_0010.
+        /// `0x1600:01` Controlword. UINT32, ro, default 0x60400010.
         pub const fn entry_1(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1600, 0x10, 1)
         }
 
-        /// `0x1600:02` Modes of operation. UINT32, ro, default 0x6060\_0008.
+        /// `0x1600:02` Modes of operation. UINT32, ro, default 0x60600008.
         pub const fn entry_2(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1600, 0x10, 2)
         }
 
-        /// `0x1600:03` Target position. UINT32, ro, default 0x607A\_0020.
+        /// `0x1600:03` Target position. UINT32, ro, default 0x607A0020.
         pub const fn entry_3(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1600, 0x10, 3)
         }
@@ -197,27 +197,27 @@ pub mod objects {
             axis.entry(0x1601, 0x10, 0)
         }
 
-        /// `0x1601:01` Controlword. UINT32, ro, default 0x6040\_0010.
+        /// `0x1601:01` Controlword. UINT32, ro, default 0x60400010.
         pub const fn entry_1(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1601, 0x10, 1)
         }
 
-        /// `0x1601:02` Modes of operation. UINT32, ro, default 0x6060\_0008.
+        /// `0x1601:02` Modes of operation. UINT32, ro, default 0x60600008.
         pub const fn entry_2(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1601, 0x10, 2)
         }
 
-        /// `0x1601:03` Target position. UINT32, ro, default 0x607A\_0020.
+        /// `0x1601:03` Target position. UINT32, ro, default 0x607A0020.
         pub const fn entry_3(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1601, 0x10, 3)
         }
 
-        /// `0x1601:04` Profile velocity. UINT32, ro, default 0x6081\_0020.
+        /// `0x1601:04` Profile velocity. UINT32, ro, default 0x60810020.
         pub const fn entry_4(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1601, 0x10, 4)
         }
 
-        /// `0x1601:05` Profile acceleration. UINT32, ro, default 0x6083\_0020.
+        /// `0x1601:05` Profile acceleration. UINT32, ro, default 0x60830020.
         pub const fn entry_5(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1601, 0x10, 5)
         }
@@ -234,22 +234,22 @@ pub mod objects {
             axis.entry(0x1A00, 0x10, 0)
         }
 
-        /// `0x1A00:01` Statusword. UINT32, ro, default 0x6041\_0010.
+        /// `0x1A00:01` Statusword. UINT32, ro, default 0x60410010.
         pub const fn entry_1(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1A00, 0x10, 1)
         }
 
-        /// `0x1A00:02` Modes of operation display. UINT32, ro, default 0x6061\_0008.
+        /// `0x1A00:02` Modes of operation display. UINT32, ro, default 0x60610008.
         pub const fn entry_2(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1A00, 0x10, 2)
         }
 
-        /// `0x1A00:03` Position actual value. UINT32, ro, default 0x6064\_0020.
+        /// `0x1A00:03` Position actual value. UINT32, ro, default 0x60640020.
         pub const fn entry_3(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1A00, 0x10, 3)
         }
 
-        /// `0x1A00:04` Following error actual value. UINT32, ro, default 0x60F4\_0020.
+        /// `0x1A00:04` Following error actual value. UINT32, ro, default 0x60F40020.
         pub const fn entry_4(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1A00, 0x10, 4)
         }
@@ -266,17 +266,17 @@ pub mod objects {
             axis.entry(0x1A01, 0x10, 0)
         }
 
-        /// `0x1A01:01` Statusword. UINT32, ro, default 0x6041\_0010.
+        /// `0x1A01:01` Statusword. UINT32, ro, default 0x60410010.
         pub const fn entry_1(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1A01, 0x10, 1)
         }
 
-        /// `0x1A01:02` Modes of operation display. UINT32, ro, default 0x6061\_0008.
+        /// `0x1A01:02` Modes of operation display. UINT32, ro, default 0x60610008.
         pub const fn entry_2(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1A01, 0x10, 2)
         }
 
-        /// `0x1A01:03` Position actual value. UINT32, ro, default 0x6064\_0020.
+        /// `0x1A01:03` Position actual value. UINT32, ro, default 0x60640020.
         pub const fn entry_3(axis: Axis) -> Entry<C887, u32, ReadOnly> {
             axis.entry(0x1A01, 0x10, 3)
         }
@@ -2140,6 +2140,11 @@ impl Mode for ModeOfOperation {
 pub struct ErrorCode(pub u16);
 
 impl ErrorCode {
+    /// No error.
+    ///
+    /// GCS error 0, error register 0.
+    pub const NO_ERROR: Self = Self(0x0000);
+
     /// Continuous Over Current Detected. Error register 0x03. (p. 18 to 20)
     ///
     /// The current inside the drive has been too high for too long.
@@ -2306,6 +2311,7 @@ impl error::ErrorCode for ErrorCode {
             ErrorInfo { code, name, register, vendor_codes, text }
         }
         &[
+            info(0x0000, "no error", None, &[], "GCS error 0, error register 0."),
             info(
                 0x2220,
                 "Continuous Over Current Detected",
@@ -2526,7 +2532,7 @@ pub mod dictionary {
     /// Every object whose value can change.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Dictionary {
-        /// `0x1000:00` Device type. UINT32, ro, default 0x0002\_0192.
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         pub device_type: u32,
         /// `0x1001:00` Error register. UINT8, ro, TxPDO, default 0.
         pub error_register: ErrorRegister,
@@ -2787,7 +2793,7 @@ pub mod dictionary {
         pub product_code: u32,
         /// `0x1018:03` Revision number. UINT32, ro, default 0.
         pub revision_number: u32,
-        /// `0x1018:04` Serial number. UINT32, ro, default 0x1234\_5678.
+        /// `0x1018:04` Serial number. UINT32, ro, default 0x12345678.
         pub serial_number: u32,
     }
 

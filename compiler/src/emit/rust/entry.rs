@@ -39,7 +39,7 @@ pub(super) fn facts(scope: &Scope<'_>, entry: &Entry, source: Option<&Source>) -
     facts.extend(mappable(entry.pdo).map(str::to_owned));
     facts.extend(entry.written.as_ref().map(|transition| format!("written at {transition}")));
     facts.extend(range(entry));
-    facts.extend(entry.default.as_ref().map(|_| format!("default {}", literal::value(entry))));
+    facts.extend(entry.default.as_ref().map(|_| format!("default {}", shown(entry))));
     facts.extend(entry.unit.as_ref().and_then(|id| scope.device.unit(id)).map(unit));
     let source = source.map(|source| format!(" ({})", place(source, scope.device))).unwrap_or_default();
     escape(&format!("{}{source}.", facts.join(", ")))
@@ -60,6 +60,12 @@ pub(super) fn unit(unit: &Unit) -> String {
         None => String::new(),
     };
     format!("in {}{scale}", symbols.join(" or "))
+}
+
+/// The default as it is in code, but for the marks between digits.
+fn shown(entry: &Entry) -> String {
+    let code = literal::value(entry).to_string();
+    if code.starts_with(|c: char| c.is_ascii_digit()) { code.replace('_', "") } else { code }
 }
 
 fn access(access: Access) -> &'static str {

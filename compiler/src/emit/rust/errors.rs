@@ -8,14 +8,19 @@ use super::literal::{hex8, hex16, number};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::types::address;
-use crate::model::ErrorCode;
+use crate::model::{Device, ErrorCode, Meaning};
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let Some(name) = scope.types.newtype(address(0x603F)).filter(|_| !scope.device.errors.is_empty()) else {
         return TokenStream::new();
     };
-    let (ranges, codes): (Vec<&ErrorCode>, Vec<&ErrorCode>) =
+    let (ranges, mut codes): (Vec<&ErrorCode>, Vec<&ErrorCode>) =
         scope.device.errors.iter().partition(|error| error.is_range());
+    let values = values(scope.device);
+    codes.extend(
+        values.iter().filter(|value| scope.device.errors.iter().all(|error| error.code != value.code)),
+    );
+    codes.sort_by_key(|error| error.code);
     let mut names = Names::default();
     let constants = codes.iter().map(|code| constant(scope, code, &names.claim(&shout(&code.id))));
     let (table, runtime) = (table(name, &codes, &ranges), scope.runtime);
@@ -36,6 +41,25 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
             }
         }
     }
+}
+
+/// The values that the object itself names, as that of no error.
+fn values(device: &Device) -> Vec<ErrorCode> {
+    let Some(entry) = device.entry(address(0x603F)) else { return Vec::new() };
+    let codes = entry.values.iter().filter_map(|value| Some((value, u16::try_from(value.value).ok()?)));
+    let error = |(value, code): (&Meaning, u16)| ErrorCode {
+        code,
+        last: code,
+        id: value.id.clone(),
+        name: value.name.clone(),
+        register: None,
+        vendor_codes: Vec::new(),
+        about: value.about.clone(),
+        remedy: None,
+        source: entry.source.clone(),
+        origin: entry.origin.clone(),
+    };
+    codes.map(error).collect()
 }
 
 fn constant(scope: &Scope<'_>, error: &ErrorCode, name: &Ident) -> TokenStream {

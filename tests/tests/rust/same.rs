@@ -1,0 +1,88 @@
+//! The generated file, the derive and a build script say the same.
+
+use std::path::Path;
+
+use devc::emit::rust::{Options, text, tokens};
+use devc::lint::Checked;
+use devc::model::Family;
+use devc::source::Disk;
+use quote::{ToTokens, quote};
+use syn::{Item, parse_quote};
+
+const GENERATED: &str = include_str!("../../../generated/c887/c887.rs");
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn family() -> Checked<Family> {
+    let compilation = devc::compile(&Disk, &root().join("../devices/c887"));
+    compilation.family.expect("the description of the C-887 has no errors")
+}
+
+/// The same layout for the same code.
+fn printed(file: &syn::File) -> String {
+    prettyplease::unparse(file)
+}
+
+#[test]
+fn the_checked_in_file_is_current() {
+    assert_eq!(text(&family(), &Options::default()), GENERATED);
+}
+
+#[test]
+fn the_text_is_the_tokens() {
+    let tokens = syn::parse2(tokens(&family(), &Options::default())).expect("tokens are Rust");
+    let text = syn::parse_file(GENERATED).expect("the file is Rust");
+    assert_eq!(printed(&tokens), printed(&text));
+}
+
+#[test]
+fn the_derive_expands_to_the_file() {
+    let input = quote!(
+        #[device(path = "../devices/c887")]
+        pub struct C887;
+    );
+    let expanded: syn::File =
+        syn::parse2(devc::derive::expand(input, root(), &Disk)).expect("the expansion is Rust");
+    let (mut outside, mut modules): (Vec<Item>, Vec<Item>) =
+        expanded.items.into_iter().partition(|item| !matches!(item, Item::Mod(_)));
+    let Some(Item::Mod(module)) = modules.pop() else { panic!("the expansion has no module") };
+    assert_eq!(module.ident, "c887");
+
+    // the struct is the user's, and what implements `Device` for it stands beside the module
+    let mut file = syn::parse_file(GENERATED).expect("the file is Rust");
+    let is_device = |item: &Item| {
+        matches!(item, Item::Struct(item) if item.ident == "C887")
+            || item.to_token_stream().to_string().starts_with("impl Device for C887")
+    };
+    let place = file.items.iter().position(is_device).expect("the file declares the device");
+    let identity = file.items.remove(place + 1);
+    file.items[place] = parse_quote!(
+        use super::C887;
+    );
+
+    let (_, items) = module.content.expect("the module has content");
+    let expanded = syn::File { shebang: None, frontmatter: None, attrs: module.attrs, items };
+    assert_eq!(inner(&expanded), inner(&file));
+    let as_path = quote!(impl ::devc_runtime::Device for C887).to_string();
+    let identity = identity.to_token_stream().to_string().replacen("impl Device for C887", &as_path, 1);
+    assert_eq!(outside.remove(0).to_token_stream().to_string(), identity);
+    assert!(outside.iter().all(|item| item.to_token_stream().to_string().contains("include_bytes")));
+}
+
+/// The code without the attributes of the file itself, whose order a parser may change.
+fn inner(file: &syn::File) -> String {
+    printed(&syn::File { attrs: Vec::new(), ..file.clone() })
+}
+
+#[test]
+fn a_build_script_gets_the_file_in_a_module() {
+    let name = devc::emit::rust::snake("c887");
+    let module = devc::emit::rust::module(&family(), &name, &Options::default());
+    let parsed = syn::parse_file(&module).expect("the file is Rust");
+    let [Item::Mod(module)] = parsed.items.as_slice() else { panic!("the file is a module") };
+    let items = module.content.clone().expect("the module has content").1;
+    let file = syn::parse_file(GENERATED).expect("the file is Rust");
+    assert_eq!(inner(&syn::File { items, ..file.clone() }), inner(&file));
+}

@@ -1,0 +1,9 @@
+use devc_runtime::Device;
+
+#[derive(Device)]
+#[device(path = "../../../../tests/tests/rust/ui/typo")]
+pub struct Drive;
+
+fn main() {
+    let _ = Drive::PRODUCT_CODE;
+}
