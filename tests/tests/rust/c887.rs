@@ -2,6 +2,7 @@
 
 use devc_runtime::Device;
 
+#[expect(unreachable_pub, reason = "a device is public, a test is not")]
 #[derive(Device, Debug, Clone, Copy, PartialEq, Eq)]
 #[device(path = "../devices/c887")]
 pub struct C887;

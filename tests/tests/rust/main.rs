@@ -1,7 +1,6 @@
 //! The Rust that devc generates: as text and through the derive, against the manual, and as a user's build sees it.
 
 mod c887;
-mod derive;
 mod dictionary;
 mod pdos;
 mod rebuild;
