@@ -7,6 +7,7 @@
 //! | side | runs | gives |
 //! |---|---|---|
 //! | the drive | [`Drive`] for an axis, [`Coupled`] for axes with one state, [`ModeSwitch`] | transitions, statusword, display of the mode |
+//! | the master | [`Master`] for an axis, or for all that share a state; [`Observer`] to look on | controlword, mode, progress |
 
 mod command;
 mod condition;
@@ -15,9 +16,11 @@ mod drive;
 mod events;
 pub mod generic;
 mod machine;
+mod master;
 mod mode;
 mod mode_switch;
 mod modes;
+mod observer;
 mod pattern;
 mod state;
 mod state_patterns;
@@ -29,9 +32,11 @@ pub use coupled::Coupled;
 pub use drive::Drive;
 pub use events::Events;
 pub use machine::{Cause, Machine, Refusal, Step};
+pub use master::{Awaited, Feedback, Goal, Leave, Master, Output, Progress, Timing, Waiting, Withdrawal};
 pub use mode::{Mode, UnknownMode};
 pub use mode_switch::{ModeStep, ModeSwitch, Running};
 pub use modes::{ModeChange, Modes};
+pub use observer::Observer;
 pub use pattern::Pattern;
 pub use state::{State, StateSet};
 pub use state_patterns::{StatePatterns, UnknownState};

@@ -100,6 +100,18 @@ impl StateSet {
         Self(self.0 & !(state as u8))
     }
 
+    /// These and `others`.
+    #[must_use]
+    pub const fn and(self, others: Self) -> Self {
+        Self(self.0 | others.0)
+    }
+
+    /// Those that are in both.
+    #[must_use]
+    pub const fn common(self, others: Self) -> Self {
+        Self(self.0 & others.0)
+    }
+
     /// Whether `state` is one of them.
     pub const fn contains(self, state: State) -> bool {
         self.0 & state as u8 != 0

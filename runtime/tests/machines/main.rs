@@ -3,4 +3,7 @@
 mod coupling;
 mod device;
 mod drive;
+mod master;
 mod modes;
+mod observer;
+mod plant;

@@ -1,0 +1,39 @@
+//! Every statusword after every state.
+
+use devc_runtime::cia402::{Observer, State, StateSet};
+
+use crate::device::{c887, s700};
+
+#[test]
+fn states_of_the_s700_that_share_a_pattern_are_told_by_the_one_before() {
+    for before in State::ALL {
+        for word in 0..=u16::MAX {
+            let mut observer = Observer::new(&s700::MACHINE);
+            observer.observe(s700::MACHINE.states.show(before, 0)).unwrap();
+            let seen = observer.observe(word);
+            // 3.4.3: x1xx 0000 is both, and nothing leads back to not ready to switch on
+            if word & 0x004F == 0x0040 {
+                assert_eq!(seen, Ok(State::SwitchOnDisabled));
+                let was_off = matches!(before, State::NotReadyToSwitchOn | State::SwitchOnDisabled);
+                let single = observer.possible().single().is_some();
+                assert_eq!(single, !was_off, "{before}");
+            } else {
+                assert_eq!(seen, s700::MACHINE.states.decode(word));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_device_that_keeps_its_states_apart_is_seen_as_it_is() {
+    for before in State::ALL {
+        for word in 0..=u16::MAX {
+            let mut observer = Observer::new(&c887::MACHINE);
+            observer.observe(c887::MACHINE.states.show(before, 0)).unwrap();
+            assert_eq!(observer.observe(word).ok(), c887::MACHINE.states.decode(word).ok());
+            let shown = c887::MACHINE.states.fitting(word);
+            let expected = if shown.is_empty() { StateSet::NONE.with(before) } else { shown };
+            assert_eq!(observer.possible(), expected);
+        }
+    }
+}
