@@ -6,8 +6,10 @@ mod levels;
 mod lookup;
 mod report;
 mod rules;
+mod sibling;
 #[cfg(test)]
 mod tests;
+mod texts;
 
 pub use checked::Checked;
 pub use levels::Levels;
@@ -50,8 +52,9 @@ fn run<'l>(
     diagnostics: &mut Diagnostics,
 ) {
     let mut errata = Errata::default();
-    for device in &family.members {
-        let mut report = Report::new(sources);
+    for (i, device) in family.members.iter().enumerate() {
+        let earlier = family.members.get(..i).unwrap_or_default();
+        let mut report = Report::new(sources, earlier);
         for lint in rules.clone() {
             (lint.check)(device, &mut report);
         }

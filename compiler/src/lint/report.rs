@@ -1,7 +1,8 @@
 //! What the rules found.
 
+use super::sibling::Sibling;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Entry, Object};
+use crate::model::{Device, Entry, Object};
 use crate::source::{FileId, Node, Origin, Sources};
 
 /// A fault at something that has a name, so that an erratum can answer it.
@@ -27,18 +28,26 @@ pub(crate) struct Report {
     findings: Vec<Finding>,
     /// The files that are profiles.
     profiles: Vec<FileId>,
+    /// The members of the family before the device.
+    earlier: Vec<Sibling>,
 }
 
 impl Report {
-    /// An empty report on a device that was read from these files.
-    pub(super) fn new(sources: &Sources) -> Self {
+    /// An empty report on a device that was read from these files and comes after these in its family.
+    pub(super) fn new(sources: &Sources, earlier: &[Device]) -> Self {
         let profiles = sources.iter().filter(|(_, file)| file.embedded).map(|(id, _)| id).collect();
-        Self { findings: Vec::new(), profiles }
+        let earlier = earlier.iter().map(Sibling::new).collect();
+        Self { findings: Vec::new(), profiles, earlier }
     }
 
     /// Reports a fault at something.
     pub(crate) fn push(&mut self, at: impl ToString, diagnostic: Diagnostic) {
         self.findings.push(Finding { at: at.to_string(), diagnostic });
+    }
+
+    /// The members of the family before the device.
+    pub(crate) fn earlier(&self) -> &[Sibling] {
+        &self.earlier
     }
 
     /// What a profile says at `path`, whether or not the description says otherwise.

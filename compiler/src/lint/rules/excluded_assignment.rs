@@ -20,7 +20,7 @@ rule! {
     ///
     /// [tx-pdos]
     /// 0x1A00 = { name = "Speed", entries = ["0x2000"], excludes = ["0x1A01"] }
-    /// 0x1A01 = { name = "Torque", entries = ["0x2001"] }
+    /// 0x1A01 = { name = "Torque", entries = ["0x2001"], excludes = ["0x1A00"] }
     ///
     /// [sync-managers.inputs]
     /// address = 0x1400
@@ -41,7 +41,7 @@ rule! {
     ///
     /// [tx-pdos]
     /// 0x1A00 = { name = "Speed", entries = ["0x2000"], excludes = ["0x1A01"] }
-    /// 0x1A01 = { name = "Torque", entries = ["0x2001"] }
+    /// 0x1A01 = { name = "Torque", entries = ["0x2001"], excludes = ["0x1A00"] }
     ///
     /// [sync-managers.inputs]
     /// address = 0x1400

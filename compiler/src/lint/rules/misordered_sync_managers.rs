@@ -1,10 +1,11 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Role};
 
 rule! {
-    /// Sync managers usually lie one behind the other in the order of their numbers: mailbox out, mailbox in,
-    /// outputs, inputs. Another order works, but it is mostly two addresses that were mixed up.
+    /// What the master sends usually lies before what the device sends, in the mailbox as in process data. Another
+    /// order works, but it is mostly two addresses that were mixed up. Which comes first, mailbox or process data,
+    /// is a matter of taste.
     ///
     /// ## Fires
     /// ```toml
@@ -20,12 +21,14 @@ rule! {
     /// mailbox-in = { address = 0x1080, size = 128 }
     /// ```
     pub(super) static RULE = "misordered-sync-managers", ProcessData, Warning,
-        "a sync manager lies before the one of the number below";
+        "what the device sends lies before what the master sends";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for pair in device.sync_managers.windows(2) {
-        let [before, after] = pair else { continue };
+    for pair in [(Role::MailboxOut, Role::MailboxIn), (Role::Outputs, Role::Inputs)] {
+        let (Some(before), Some(after)) = (device.sync_manager(pair.0), device.sync_manager(pair.1)) else {
+            continue;
+        };
         if before.address <= after.address {
             continue;
         }

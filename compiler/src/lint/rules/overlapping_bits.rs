@@ -4,7 +4,7 @@ use crate::model::{Device, Field};
 use crate::source::Origin;
 
 rule! {
-    /// Each bit of a word has one meaning, and in each mode of operation one. Two fields that share a bit cannot
+    /// Each bit of a word or a register has one meaning, and in each mode of operation one. Two fields that share a bit cannot
     /// both be right, and a field beyond the word's last bit has no place.
     ///
     /// ## Fires
@@ -35,16 +35,25 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     for word in &device.words {
         let at = format!("words.{}", word.id);
         pairs(&word.fields, &word.origin, &at, report);
-        for field in word.fields.iter().filter(|field| u32::from(field.high) >= word.bits) {
-            let message = format!("`{}` has no bit {}: {} has {}", word.name, field.high, word.address, word.bits);
-            let place = word.origin.value(&field.path);
-            report.push(&at, Diagnostic::new(&RULE, message, place, "beyond the last bit"));
-        }
+        beyond(&word.fields, &word.name, word.bits, &word.origin, &at, report);
+    }
+    for register in &device.registers {
+        let at = format!("registers.0x{:04X}", register.address);
+        pairs(&register.fields, &register.origin, &at, report);
+        let bits = u32::from(register.length) * 8;
+        beyond(&register.fields, &register.name, bits, &register.origin, &at, report);
     }
     for mode in &device.modes {
         for bits in [&mode.control_bits, &mode.status_bits] {
             pairs(&bits.fields, &mode.origin, &format!("modes.{}", mode.code), report);
         }
+    }
+}
+
+fn beyond(fields: &[Field], name: &str, bits: u32, origin: &Origin, at: &str, report: &mut Report) {
+    for field in fields.iter().filter(|field| u32::from(field.high) >= bits) {
+        let message = format!("`{name}` has no bit {}: it has {bits} of them", field.high);
+        report.push(at, Diagnostic::new(&RULE, message, origin.value(&field.path), "beyond the last bit"));
     }
 }
 

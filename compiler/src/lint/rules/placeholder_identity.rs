@@ -6,7 +6,7 @@ rule! {
     /// Masters tell devices apart by these numbers. One that looks as if nobody had filled it in, a 0 or
     /// digits in a row, makes devices look the same that are not, or finds the wrong file for one.
     ///
-    /// A serial number of 0 is fine: it says that the device has none.
+    /// A serial number of 0 is fine: it says that the device has none. So is a number that is marked as assumed.
     ///
     /// ## Fires
     /// ```toml
@@ -39,7 +39,12 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         ("product-code", "product code", identity.product_code),
         ("revision", "revision", identity.revision),
     ];
+    let assumed =
+        |key: &str| device.assumptions.iter().any(|it| it.at.strip_prefix("identity.") == Some(key));
     let mut push = |key: &str, message: String, note: &str| {
+        if assumed(key) {
+            return;
+        }
         let diagnostic = Diagnostic::new(&RULE, message, identity.origin.value(key), "a placeholder?");
         report.push(format!("identity.{key}"), diagnostic.note(note));
     };

@@ -1,0 +1,55 @@
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::{Report, lookup};
+use crate::model::{Device, Meaning};
+use crate::source::Location;
+
+rule! {
+    /// Two values of one object that have the same name cannot be told apart by it; one of the two is mostly a
+    /// misprint. Values that are reserved may share that word, and an `about` that differs tells two apart.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "State"
+    /// type = "UINT8"
+    /// values = { 1 = "stopped", 2 = "stopped" }
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "State"
+    /// type = "UINT8"
+    /// values = { 1 = "stopped", 2 = "running", 3 = "reserved", 4 = "reserved" }
+    /// ```
+    pub(super) static RULE = "ambiguous-value-name", Values, Warning, "two values have one name";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for (object, entry) in lookup::entries(device) {
+        let at = lookup::name(object, entry);
+        judge(&at, &entry.values, lookup::place(object, entry, "values"), report);
+    }
+    for word in &device.words {
+        for field in &word.fields {
+            let at = format!("words.{}.{}", word.id, field.low);
+            let place = word.origin.value(&format!("{}.values", field.path));
+            judge(&at, &field.values, place, report);
+        }
+    }
+}
+
+fn judge(at: &str, values: &[Meaning], place: Location, report: &mut Report) {
+    let mut first = BTreeMap::new();
+    for meaning in values.iter().filter(|meaning| !meaning.name.to_lowercase().starts_with("reserved")) {
+        let key = (meaning.name.to_lowercase(), &meaning.about);
+        let Some(other) = first.get(&key) else {
+            first.insert(key, meaning.value);
+            continue;
+        };
+        let message = format!("{other} and {} both mean `{}` at {at}", meaning.value, meaning.name);
+        report.push(at, Diagnostic::new(&RULE, message, place, "one name twice"));
+    }
+}

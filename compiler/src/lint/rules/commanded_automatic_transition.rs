@@ -1,0 +1,48 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::Report;
+use crate::model::Device;
+
+rule! {
+    /// A transition that happens by itself waits for no command. With a pattern of the controlword it either
+    /// needs one and is not automatic, or the pattern is left over.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [states]
+    /// on = { name = "On", pattern = "1" }
+    /// fault = { name = "Fault", pattern = "0" }
+    ///
+    /// [transitions.13]
+    /// from = "on"
+    /// to = "fault"
+    /// automatic = true
+    /// pattern = "xxxx 1111"
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [states]
+    /// on = { name = "On", pattern = "1" }
+    /// fault = { name = "Fault", pattern = "0" }
+    ///
+    /// [transitions.13]
+    /// from = "on"
+    /// to = "fault"
+    /// automatic = true
+    /// ```
+    pub(super) static RULE = "commanded-automatic-transition", StateMachine, Warning,
+        "a transition happens by itself and by a command";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for transition in device.transitions.iter().filter(|transition| transition.automatic) {
+        let Some(pattern) = &transition.pattern else { continue };
+        let message = format!(
+            "transition {} to `{}` is automatic, but has the controlword {pattern}",
+            transition.number, transition.to
+        );
+        let diagnostic = Diagnostic::new(&RULE, message, transition.origin.value("pattern"), "sets it off?")
+            .label(transition.origin.value("automatic"), "happens by itself");
+        report.push(format!("transitions.{}", transition.number), diagnostic);
+    }
+}

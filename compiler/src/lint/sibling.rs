@@ -1,0 +1,28 @@
+//! What rules compare between the members of a family.
+
+use crate::model::{Address, Device, Identity, Index, Pdo};
+
+/// A member of the family that was looked at before.
+#[derive(Debug, Clone)]
+pub(crate) struct Sibling {
+    /// The word for it.
+    pub(crate) id: String,
+    pub(crate) identity: Identity,
+    pub(crate) image: Image,
+}
+
+/// What a master sees of the process data: each PDO with the entries and bits that it carries.
+pub(crate) type Image = Vec<(Index, Vec<(Option<Address>, u32)>)>;
+
+impl Sibling {
+    /// What there is to compare of a device.
+    pub(super) fn new(device: &Device) -> Self {
+        Self { id: device.id.clone(), identity: device.identity.clone(), image: image(device) }
+    }
+}
+
+/// The process data of a device.
+pub(super) fn image(device: &Device) -> Image {
+    let carried = |pdo: &Pdo| pdo.entries.iter().map(|mapped| (mapped.address, mapped.bits)).collect();
+    device.pdos.iter().map(|pdo| (pdo.index, carried(pdo))).collect()
+}

@@ -1,0 +1,46 @@
+//! The texts that travel to other tools.
+
+use super::lookup;
+use crate::model::Device;
+use crate::source::Location;
+
+/// A text, what it belongs to by the name that errata use, and where it stands.
+pub(super) struct Text<'d> {
+    pub(super) at: String,
+    pub(super) place: Location,
+    pub(super) text: &'d str,
+}
+
+/// The names that a configuration tool shows and that an EEPROM image holds.
+pub(super) fn names(device: &Device) -> impl Iterator<Item = Text<'_>> {
+    let head = [
+        ("name", &device.name),
+        ("type-name", &device.type_name),
+        ("group", &device.group),
+        ("vendor", &device.vendor),
+    ];
+    let text = |at: String, place, text| Text { at, place, text };
+    let head = head
+        .into_iter()
+        .map(move |(key, name)| text(format!("device.{key}"), device.origin.value(key), name.as_str()));
+    let pdos = device.pdos.iter();
+    let pdos = pdos.map(move |pdo| text(pdo.index.to_string(), pdo.origin.value("name"), &pdo.name));
+    let modes = device.sync_modes.iter();
+    let modes = modes.map(move |it| text(format!("sync-modes.{}", it.id), it.origin.value("name"), &it.name));
+    head.chain(pdos).chain(modes)
+}
+
+/// The names in the dictionary.
+pub(super) fn dictionary(device: &Device) -> impl Iterator<Item = Text<'_>> {
+    lookup::objects(device).flat_map(|object| {
+        let own =
+            Text { at: object.index.to_string(), place: object.origin.value("name"), text: &object.name };
+        let several = object.entries.iter().filter(|_| object.entries.len() > 1);
+        let entries = several.map(|entry| Text {
+            at: entry.address.to_string(),
+            place: entry.origin.value("name"),
+            text: &entry.name,
+        });
+        std::iter::once(own).chain(entries)
+    })
+}
