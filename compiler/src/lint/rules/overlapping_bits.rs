@@ -4,8 +4,8 @@ use crate::model::{Device, Field};
 use crate::source::Origin;
 
 rule! {
-    /// Each bit of a word or a register has one meaning, and in each mode of operation one. Two fields that share a bit cannot
-    /// both be right, and a field beyond the word's last bit has no place.
+    /// Each bit of a word or a register has one meaning, and in each mode of operation one. Two fields that share a
+    /// bit cannot both be right, and a field beyond the last bit has no place.
     ///
     /// ## Fires
     /// ```toml
