@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | the drive | [`Drive`] for an axis, [`Coupled`] for axes with one state, [`ModeSwitch`] | transitions, statusword, display of the mode |
 //! | the master | [`Master`] for an axis, or for all that share a state; [`Observer`] to look on | controlword, mode, progress |
+//! | the master, in a mode | [`Halt`], [`Homing`], [`SetPoints`] | the bits of the mode, progress |
 
 mod command;
 mod condition;
@@ -15,6 +16,7 @@ mod coupled;
 mod drive;
 mod events;
 pub mod generic;
+mod handshake;
 mod machine;
 mod master;
 mod mode;
@@ -31,6 +33,9 @@ pub use condition::Condition;
 pub use coupled::Coupled;
 pub use drive::Drive;
 pub use events::Events;
+pub use handshake::{
+    Halt, HaltProgress, Homing, HomingBits, HomingProgress, Move, SetPointProgress, SetPoints,
+};
 pub use machine::{Cause, Machine, Refusal, Step};
 pub use master::{Awaited, Feedback, Goal, Leave, Master, Output, Progress, Timing, Waiting, Withdrawal};
 pub use mode::{Mode, UnknownMode};

@@ -3,6 +3,7 @@
 mod coupling;
 mod device;
 mod drive;
+mod handshake;
 mod master;
 mod modes;
 mod observer;

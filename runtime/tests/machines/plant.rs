@@ -48,11 +48,11 @@ pub(crate) struct Line<T> {
 }
 
 impl<T: Copy> Line<T> {
-    fn new(last: T) -> Self {
+    pub(crate) fn new(last: T) -> Self {
         Self { frames: VecDeque::new(), last, lost: 0, now: 0 }
     }
 
-    fn carry(&mut self, frame: T, dice: Option<&mut Dice>) -> T {
+    pub(crate) fn carry(&mut self, frame: T, dice: Option<&mut Dice>) -> T {
         self.now += 1;
         let Some(dice) = dice else {
             self.last = frame;
