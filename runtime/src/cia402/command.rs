@@ -82,6 +82,20 @@ impl Command {
         self.pattern.matches(current) && self.edge.is_none_or(|edge| edge.happened(previous, current))
     }
 
+    /// Whether it may trigger the transition of that number.
+    #[inline]
+    pub const fn triggers(&self, number: u8) -> bool {
+        // not `contains`, which calls a search for long runs of bytes
+        let mut rest = self.transitions;
+        while let [first, others @ ..] = rest {
+            if *first == number {
+                return true;
+            }
+            rest = others;
+        }
+        false
+    }
+
     /// The controlword that gives the command, with all bits that it does not use as they are in `controlword`.
     #[inline]
     pub fn apply(&self, controlword: u16) -> u16 {

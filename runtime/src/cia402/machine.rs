@@ -103,7 +103,7 @@ impl Machine {
         &'a self,
         command: &'a Command,
     ) -> impl Iterator<Item = &'static Transition> + 'a {
-        self.transitions.iter().filter(|transition| command.transitions.contains(&transition.number))
+        self.transitions.iter().filter(|transition| command.triggers(transition.number))
     }
 
     fn by_event(&self, state: State, events: Events) -> Option<Step> {

@@ -1,9 +1,12 @@
 //! The axes of the C-887, C887T0011, p. 10.
 
 use devc_runtime::cia402::State::{self, *};
-use devc_runtime::cia402::{Coupled, Drive, Events};
+use devc_runtime::cia402::{
+    Cause, Coupled, Drive, Events, Feedback, Goal, Master, ModeSwitch, Running, Timing,
+};
 
 use crate::device::c887::MACHINE;
+use crate::plant::{Dice, Line, ROUND_TRIP};
 
 const AXES: usize = 6;
 
@@ -69,5 +72,45 @@ fn a_reset_takes_all_axes_and_an_edge_for_each_that_was_not_ready() {
         axes.cycle(0x0000, [Events::NONE; AXES]);
         axes.cycle(0x0080, [Events::NONE; AXES]);
         assert_eq!(axes.state(), SwitchOnDisabled);
+    }
+}
+
+/// One master leads the platform by the first axis' words, over a line that loses frames.
+#[test]
+fn one_master_enables_six_axes_and_stops_when_one_fails() {
+    for seed in 0..100 {
+        let mut dice = Dice::new(seed);
+        let mut axes = Coupled::<AXES>::new(&MACHINE);
+        let mut mode = ModeSwitch::new(&MACHINE.modes);
+        let (mut down, mut up) = (Line::new((0, 0)), Line::new((axes.statusword(0), 0)));
+        let mut master =
+            Master::new(&MACHINE).timing(Timing { round_trip: ROUND_TRIP, resend: 60, timeout: 1000 });
+        master.select(8).unwrap();
+        master.request(Goal::OperationEnabled);
+        let (mut seeded, mut motion) = (false, false);
+        for now in 0..600 {
+            // each axis takes its time to start, and one fails in the end
+            let events = core::array::from_fn(|axis| match now {
+                0..300 if now < 10 * axis => Events::NONE,
+                400..500 if axis == 4 => Events::INITIALISED | Events::FAULT,
+                _ => Events::INITIALISED | Events::FAULT_REACTION_OVER,
+            });
+            let (statusword, display) = up.carry((axes.statusword(0), mode.display()), Some(&mut dice));
+            let output = master.cycle(Feedback { statusword, mode: display, seeded });
+            seeded = output.seed;
+            motion |= output.motion;
+            assert!(!output.motion || now > 50 && mode.display() == 8);
+            let (word, asked) = down.carry((output.controlword, output.mode), Some(&mut dice));
+            let step = axes.cycle(word, events);
+            assert!(
+                !step.is_some_and(|step| matches!(step.cause, Cause::Refused { .. })),
+                "seed {seed}: {step:?}"
+            );
+            mode.cycle(asked, axes.state(), Running::Over);
+            if now == 399 {
+                assert_eq!((axes.state(), motion), (OperationEnabled, true), "seed {seed}");
+            }
+        }
+        assert_eq!(axes.axes(), &[Fault; AXES]);
     }
 }

@@ -45,8 +45,7 @@ impl Road {
             let step = self.machine.step(state, (command.prepare(word), word), Events::NONE);
             step.is_some_and(|step| step.number == transition.number)
         };
-        let mut given =
-            self.machine.commands.iter().filter(|one| one.transitions.contains(&transition.number));
+        let mut given = self.machine.commands.iter().filter(|one| one.triggers(transition.number));
         given.find(makes)
     }
 
@@ -81,7 +80,7 @@ impl Road {
         const ORDERLY: Events =
             Events::INITIALISED.and(Events::FAULT_REACTION_OVER).and(Events::QUICK_STOP_OVER);
         let number = transition.number;
-        let commanded = || self.machine.commands.iter().any(|command| command.transitions.contains(&number));
+        let commanded = || self.machine.commands.iter().any(|command| command.triggers(number));
         let orderly = || {
             let mut conditions = self.machine.conditions.iter().filter(|one| one.transition == number);
             conditions.any(|condition| condition.causes.any(ORDERLY))

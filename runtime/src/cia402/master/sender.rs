@@ -118,7 +118,7 @@ impl Sender {
         let prepared = command.prepare(given);
         let Some(edge) = command.edge else { return given };
         // a reset is a pulse; other bits have to stay
-        let is_reset = command.transitions.contains(&15);
+        let is_reset = command.triggers(15);
         let (up, down) =
             if is_reset { (timing.round_trip, timing.resend) } else { (timing.resend, timing.round_trip) };
         let is_tried = self.tried == Some(given);
