@@ -186,6 +186,27 @@ fn a_fault_reset_is_a_pulse_however_long_the_fault_lasts() {
     }
 }
 
+/// A button that is held is one wish: no second pulse for it, and no more time.
+#[test]
+fn a_request_that_is_repeated_is_the_same_request() {
+    for machine in &STRICT {
+        let sent = |repeated: bool| {
+            let mut plant = Plant::new(machine, Fault, None);
+            plant.events = Events::FAULT;
+            let mut master = master(machine);
+            cycle(machine, &mut master, &mut plant);
+            for now in 0..900 {
+                if now == 0 || repeated {
+                    assert!(master.reset_fault());
+                }
+                cycle(machine, &mut master, &mut plant);
+            }
+            plant.sent
+        };
+        assert_eq!(sent(true), sent(false));
+    }
+}
+
 /// Runs to operation, and lets something happen there after a time.
 fn operating(machine: &'static Machine, seed: Option<u64>) -> (Master, Plant) {
     let mut plant = Plant::new(machine, SwitchOnDisabled, seed);
@@ -259,6 +280,23 @@ fn a_quick_stop_on_the_way_ends_the_request() {
     plant.drive = plant.drive.resumed(QuickStopActive, 0x000F);
     (0..1000).for_each(|_| _ = cycle(machine, &mut master, &mut plant));
     assert_eq!(plant.drive.state(), QuickStopActive);
+}
+
+/// The request came after the quick stop, so that its end is no reason to withdraw it.
+#[test]
+fn a_quick_stop_that_ends_after_the_request_does_not_end_it() {
+    for machine in [&pilz::MACHINE, &generic::MACHINE] {
+        let mut plant = Plant::new(machine, QuickStopActive, None);
+        plant.seeds = false;
+        let mut master = master(machine);
+        master.request(Goal::OperationEnabled);
+        (0..5).for_each(|_| _ = cycle(machine, &mut master, &mut plant));
+        assert_eq!(plant.drive.state(), QuickStopActive);
+        plant.events = plant.events | Events::QUICK_STOP_OVER;
+        plant.seeds = true;
+        (0..20).for_each(|_| _ = cycle(machine, &mut master, &mut plant));
+        assert_eq!(plant.drive.state(), OperationEnabled);
+    }
 }
 
 #[test]

@@ -103,24 +103,27 @@ impl Master {
         self.state
     }
 
-    /// Asks for a state. Replaces any other request.
-    pub const fn request(&mut self, goal: Goal) {
-        self.pursue(Aim::Goal(goal));
+    /// Asks for a state. Replaces any other request; the same one again changes nothing while it lasts.
+    ///
+    /// A request is somebody's wish, to be made when it is wished: one that a program repeats each cycle would enable a
+    /// drive again after each fault.
+    pub fn request(&mut self, goal: Goal) {
+        self.ask(Aim::Goal(goal));
     }
 
     /// Asks for a quick stop (transition 11). Replaces any other request; a drive that is not enabled stays where it
     /// is.
-    pub const fn quick_stop(&mut self) {
-        self.pursue(Aim::QuickStop);
+    pub fn quick_stop(&mut self) {
+        self.ask(Aim::QuickStop);
     }
 
     /// Asks for a fault reset (transition 15); `false` if the drive shows no fault, and nothing is asked for.
     ///
     /// It ends in switch on disabled, and leads nowhere further.
-    pub const fn reset_fault(&mut self) -> bool {
+    pub fn reset_fault(&mut self) -> bool {
         let is_fault = matches!(self.state, Some(State::Fault | State::FaultReactionActive));
         if is_fault {
-            self.pursue(Aim::FaultReset);
+            self.ask(Aim::FaultReset);
         }
         is_fault
     }
@@ -150,6 +153,12 @@ impl Master {
         let progress = self.watch(awaits);
         self.motion = self.aim.is_operation() && progress == Progress::Reached;
         self.output(controlword, progress, feedback)
+    }
+
+    fn ask(&mut self, aim: Aim) {
+        if self.aim != aim {
+            self.pursue(aim);
+        }
     }
 
     const fn pursue(&mut self, aim: Aim) {
