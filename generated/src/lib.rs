@@ -6,3 +6,11 @@
 #[rustfmt::skip]
 #[path = "../c887/c887.rs"]
 pub mod c887;
+
+#[rustfmt::skip]
+#[path = "../pmc-sc6/pmc-sc6.rs"]
+pub mod pmc_sc6;
+
+#[rustfmt::skip]
+#[path = "../s700/s700.rs"]
+pub mod s700;

@@ -1,6 +1,6 @@
 //! `devc check`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use devc::diagnostic::{Diagnostics, render};
@@ -105,11 +105,7 @@ fn people(compilations: &[(PathBuf, Compilation)], report: &Report) -> Result<()
     Ok(())
 }
 
-fn update(
-    path: &PathBuf,
-    compilations: &[(PathBuf, Compilation)],
-    report: &Report,
-) -> Result<Outcome, Failure> {
+fn update(path: &Path, compilations: &[(PathBuf, Compilation)], report: &Report) -> Result<Outcome, Failure> {
     let mut baseline = Baseline::default();
     for (_, compilation) in compilations {
         baseline.learn(compilation);

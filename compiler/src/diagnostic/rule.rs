@@ -2,7 +2,7 @@
 
 /// A kind of fault, with all there is to say about it in general.
 ///
-/// Made with [`rule!`], which takes the documentation from the doc comment, so that the text a person
+/// Made with `rule!`, which takes the documentation from the doc comment, so that the text a person
 /// reads in the code, in `devc explain` and in `rules.md` is one text.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Rule {

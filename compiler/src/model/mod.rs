@@ -1,7 +1,7 @@
 //! The device as it is: every reference bound, every axis written out, every PDO laid out.
 //!
 //! The model is plain data. Where a thing was written is kept beside it as an
-//! [`Origin`](crate::source::Origin) and is not part of what the model says; all else is, and the JSON
+//! [`Origin`] and is not part of what the model says; all else is, and the JSON
 //! output is this model, word for word.
 
 mod axis;

@@ -48,6 +48,7 @@ pub(super) fn assumptions(context: &Context<'_>, raw: &RawDevice) -> Vec<Assumpt
     one(&raw.axes, "axes", &mut single);
     one(&raw.mailbox, "mailbox", &mut single);
     one(&raw.dead_time, "dead-time", &mut single);
+    one(&raw.coordinates, "coordinates", &mut single);
     each_of(&raw.sync_managers, "sync-managers", &mut single);
     for object in &raw.objects {
         single(&object.object.key, &object.object.facts, &object.object.origin);
@@ -75,6 +76,12 @@ pub(super) fn assumptions(context: &Context<'_>, raw: &RawDevice) -> Vec<Assumpt
     each_of(&raw.leds, "leds", &mut single);
     each_of(&raw.connectors, "connectors", &mut single);
     each_of(&raw.parameters, "parameters", &mut single);
+    each_of(&raw.homing_methods, "homing-methods", &mut single);
+    each_of(&raw.registers, "registers", &mut single);
+    each_of(&raw.al_status_codes, "al-status-codes", &mut single);
+    each_of(&raw.telegrams, "telegrams", &mut single);
+    each_of(&raw.configurations, "configurations", &mut single);
+    each_of(&raw.limits, "limits", &mut single);
     each_of(&raw.master_settings, "master-settings", &mut single);
     each_of(&raw.procedures, "procedures", &mut single);
     list
