@@ -35,11 +35,14 @@ fn axes_without_events_are_as_one() {
 fn a_fault_of_any_axes_stops_all() {
     for state in State::ALL {
         for chosen in 1..1 << AXES {
-            let mut axes = Coupled::<AXES>::resumed(&MACHINE, state, 0x000F);
-            axes.cycle(0x000F, on_axes(chosen, Events::FAULT));
-            let expected = if state == Fault { Fault } else { FaultReactionActive };
-            assert_eq!(axes.state(), expected, "{state} {chosen:06b}");
-            assert_eq!(axes.axes(), &[expected; AXES]);
+            // whatever the others are asked for at the same time
+            for word in [0x0000, 0x0002, 0x0006, 0x0007, 0x000F] {
+                let mut axes = Coupled::<AXES>::resumed(&MACHINE, state, word);
+                axes.cycle(word, on_axes(chosen, Events::FAULT));
+                let expected = if state == Fault { Fault } else { FaultReactionActive };
+                assert_eq!(axes.state(), expected, "{state} {chosen:06b} {word:04X}");
+                assert_eq!(axes.axes(), &[expected; AXES]);
+            }
         }
     }
 }
@@ -58,6 +61,24 @@ fn start_and_the_end_of_a_fault_reaction_take_all_axes() {
             axes.cycle(0, on_axes(all & !first, event));
             assert_eq!(axes.state(), to, "{first:06b}");
         }
+    }
+}
+
+#[test]
+fn axes_that_are_ahead_wait_for_the_others() {
+    let all = (1 << AXES) - 1;
+    for first in 1..all {
+        let mut axes = Coupled::<AXES>::resumed(&MACHINE, NotReadyToSwitchOn, 0x0006);
+        for _ in 0..5 {
+            axes.cycle(0x0006, on_axes(first, Events::INITIALISED));
+            assert_eq!(axes.state(), NotReadyToSwitchOn);
+        }
+        let numbers: Vec<u8> = (0..3)
+            .filter_map(|_| axes.cycle(0x0006, on_axes(all, Events::INITIALISED)))
+            .map(|step| step.number)
+            .collect();
+        assert_eq!(numbers, [1, 2], "{first:06b}");
+        assert_eq!(axes.axes(), &[ReadyToSwitchOn; AXES]);
     }
 }
 

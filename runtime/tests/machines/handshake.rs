@@ -80,6 +80,30 @@ fn homing_ends_as_the_drive_ends_it_whatever_was_shown_before() {
     }
 }
 
+/// The result of the homing before must not be taken for that of the next, though the bit is low only for a moment.
+#[test]
+fn each_request_is_a_reference_move_of_its_own() {
+    for seed in 0..100 {
+        let mut dice = Dice::new(seed);
+        let mut drive =
+            Reference { bits: 0, word: 0, runs: None, takes: 3, ends_with: REACHED | ATTAINED, starts: 0 };
+        let (mut down, mut up) = (Line::new(0x000F), Line::new(0));
+        let mut homing = Homing::new(HomingBits::PROFILE, TIMING);
+        let (mut statusword, mut requests) = (0, 0);
+        for now in 0..2000 {
+            if !homing.progress().is_active() {
+                assert_eq!(drive.starts, requests, "seed {seed}");
+                assert!(requests == 0 || homing.progress() == HomingProgress::Completed);
+                requests += 1;
+                homing.start();
+            }
+            let controlword = homing.cycle(&output(true), statusword);
+            statusword = up.carry(drive.cycle(down.carry(controlword, Some(&mut dice))), Some(&mut dice));
+            assert!(now < 1999 || requests > 20);
+        }
+    }
+}
+
 #[test]
 fn homing_ends_with_motion_and_starts_again_only_when_asked() {
     let mut homing = Homing::new(HomingBits::PROFILE, TIMING);
@@ -124,6 +148,8 @@ struct Travel {
     taken: Vec<(i32, u16)>,
     acknowledge: bool,
     left: u32,
+    /// It acknowledges for that long at least, as long as it cannot take another.
+    full: u32,
 }
 
 impl Travel {
@@ -132,8 +158,8 @@ impl Travel {
         self.left = self.left.saturating_sub(1);
         if !before & controlword & START != 0 {
             self.taken.push((target, controlword & 0x0060));
-            (self.acknowledge, self.left) = (true, 9);
-        } else if controlword & START == 0 {
+            (self.acknowledge, self.left) = (true, 9 + self.full);
+        } else if controlword & START == 0 && self.left <= 9 {
             self.acknowledge = false;
         }
         let reached = if self.left == 0 { REACHED } else { 0 };
@@ -166,6 +192,33 @@ fn every_set_point_is_taken_once_and_in_order() {
         assert!(taken.len() > 30);
         assert_eq!(taken[..], offered[..taken.len()], "seed {seed}");
         assert!(offered.len() - taken.len() < 2);
+    }
+}
+
+/// Motion ends and begins again at any time; a set-point that counts as acknowledged is one that the drive has taken.
+#[test]
+fn after_an_interruption_no_older_answer_counts() {
+    for seed in 0..100 {
+        let mut dice = Dice::new(seed);
+        let mut drive = Travel { full: 60, ..Travel::default() };
+        let (mut down, mut up) = (Line::new((0x000F, 0)), Line::new(REACHED));
+        let mut points = SetPoints::new(TIMING);
+        let (mut target, mut statusword, mut acknowledged) = (0, REACHED, 0);
+        for _ in 0..6000 {
+            let motion = dice.below(20) != 0;
+            if points.offer(Move::ABSOLUTE) {
+                target += 1;
+            }
+            let before = points.progress();
+            let controlword = points.cycle(&output(motion), statusword);
+            if before == SetPointProgress::Given && points.progress() == SetPointProgress::Acknowledged {
+                assert_eq!(drive.taken.last(), Some(&(target, 0)), "seed {seed}");
+                acknowledged += 1;
+            }
+            let sent = down.carry((controlword, target), Some(&mut dice));
+            statusword = up.carry(drive.cycle(sent), Some(&mut dice));
+        }
+        assert!(acknowledged > 10);
     }
 }
 
