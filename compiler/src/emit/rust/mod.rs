@@ -65,9 +65,10 @@ pub fn tokens(family: &Checked<Family>, options: &Options) -> TokenStream {
                 let (name, content) = (snake(&device.id), member(device, options));
                 quote!(pub mod #name { #content })
             });
-            let title = doc::Doc::new(format!("The devices of the family {}.", doc::escape(&family.id)));
+            let title = doc::Doc::new(format!("The devices of the family {}.", doc::escape(&family.name)));
             let title = title.inner();
-            quote!(#title #(#modules)*)
+            let reason = "a family may bear the name of a member";
+            quote!(#title #![allow(clippy::module_inception, reason = #reason)] #(#modules)*)
         }
     }
 }
