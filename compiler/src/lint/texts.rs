@@ -20,8 +20,9 @@ pub(super) fn names(device: &Device) -> impl Iterator<Item = Text<'_>> {
         ("vendor", &device.vendor),
     ];
     let text = |at: String, place, text| Text { at, place, text };
-    let head = head
-        .into_iter()
+    // What is made from another name has its faults.
+    let written = head.into_iter().filter(|(key, _)| device.origin.has(key));
+    let head = written
         .map(move |(key, name)| text(format!("device.{key}"), device.origin.value(key), name.as_str()));
     let pdos = device.pdos.iter();
     let pdos = pdos.map(move |pdo| text(pdo.index.to_string(), pdo.origin.value("name"), &pdo.name));

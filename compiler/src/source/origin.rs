@@ -39,15 +39,18 @@ impl Origin {
     /// The value of the layer below at `path`, if the description replaced it by its own: a profile's, or one
     /// of its own that differs for a member of a family or on an axis.
     pub fn under(&self, path: &str) -> Option<&Node> {
-        match path.rsplit_once('.') {
-            None => self.table.get(path)?.under.as_deref(),
-            Some((table, key)) => self.node(table)?.table()?.get(key)?.under.as_deref(),
+        match parts(path)
+            .last()
+            .map(|key| (path.strip_suffix(key).and_then(|rest| rest.strip_suffix('.')), key))
+        {
+            Some((Some(table), key)) => self.node(table)?.table()?.get(key)?.under.as_deref(),
+            _ => self.table.get(path)?.under.as_deref(),
         }
     }
 
     /// The value at `path`, if one was set.
     pub fn node(&self, path: &str) -> Option<&Node> {
-        let mut parts = path.split('.');
+        let mut parts = parts(path);
         let mut node = &self.table.get(parts.next()?)?.node;
         for part in parts {
             node = match &node.value {
@@ -61,6 +64,20 @@ impl Origin {
 }
 
 /// The place alone: the table is what the entity itself says.
+/// The keys of a path; the dots of a range such as `0..=3` are part of its key.
+fn parts(path: &str) -> impl Iterator<Item = &str> {
+    let bytes = path.as_bytes();
+    let is_dot = |place: Option<usize>| place.and_then(|place| bytes.get(place)) == Some(&b'.');
+    let ends = path.match_indices('.').map(|(place, _)| place);
+    let ends = ends.filter(move |place| !is_dot(place.checked_sub(1)) && !is_dot(place.checked_add(1)));
+    let mut start = 0;
+    ends.chain([path.len()]).filter_map(move |end| {
+        let part = path.get(start..end);
+        start = end + 1;
+        part
+    })
+}
+
 impl fmt::Debug for Origin {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Location { file, start, end } = self.header;
