@@ -69,6 +69,8 @@ fn every_goal_is_reached_from_every_state_in_bounded_steps() {
                 let last = outputs.last().unwrap().progress;
                 assert_eq!(plant.refused(), None);
                 assert_eq!(plant.rising(0x0080), 0);
+                let is_enabled = plant.made.iter().any(|step| step.to == OperationEnabled);
+                assert!(!is_enabled || goal == Goal::OperationEnabled, "no way through operation");
                 if is_faulty(start) {
                     assert!(matches!(last, Progress::Withdrawn(_)), "{start} {goal:?} {last}");
                     assert_eq!(plant.drive.state(), Fault);
@@ -140,6 +142,34 @@ fn requests_that_change_at_any_time_give_no_word_that_is_wrong_on_arrival() {
                 }
                 cycle(machine, &mut master, &mut plant);
                 assert_eq!(plant.refused(), None, "seed {seed}, {:?}", plant.made);
+            }
+        }
+    }
+}
+
+/// The drive jumps from state to state as it likes; `cycle` asserts that each word is one for the state that is seen.
+#[test]
+fn whatever_the_drive_does_no_word_is_wrong_for_the_state_that_it_shows() {
+    for seed in 0..5 * SEEDS {
+        for machine in &STRICT {
+            let mut dice = Dice::new(seed + 2_000_000);
+            let mut plant = Plant::new(machine, SwitchOnDisabled, Some(seed));
+            let mut master = master(machine);
+            for _ in 0..600 {
+                match dice.below(40) {
+                    chosen @ 0..4 => master.request(Goal::ALL[chosen as usize]),
+                    4 => master.quick_stop(),
+                    5 => _ = master.reset_fault(),
+                    // not into operation, where the plant would have to be seeded
+                    6 => {
+                        let states =
+                            State::ALL.map(|state| if state == OperationEnabled { Fault } else { state });
+                        let state = states[dice.below(8) as usize];
+                        plant.drive = plant.drive.resumed(state, plant.word());
+                    }
+                    _ => (),
+                }
+                cycle(machine, &mut master, &mut plant);
             }
         }
     }
