@@ -9,8 +9,6 @@ use crate::cia402::{Command, Events, State, StateSet};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sender {
     word: u16,
-    /// The word before, if it may have been under way when `word` followed it.
-    older: Option<u16>,
     /// How many cycles `word` was sent for.
     cycles: u16,
     /// The word whose edge was given in this state.
@@ -18,6 +16,8 @@ pub(super) struct Sender {
     seen: Option<State>,
     /// Whether the drive has had `word`.
     has_arrived: bool,
+    /// Whether the drive had had all words before, when `word` followed them.
+    is_alone: bool,
     /// Where the drive may be by the words that are under way.
     possible: StateSet,
 }
@@ -26,11 +26,11 @@ impl Sender {
     pub(super) const fn new() -> Self {
         Self {
             word: 0,
-            older: None,
             cycles: 0,
             tried: None,
             seen: None,
             has_arrived: true,
+            is_alone: true,
             possible: StateSet::ALL,
         }
     }
@@ -76,15 +76,12 @@ impl Sender {
     /// Whether a word might come to the drive in a state that it is wrong for, while the last word is still right.
     fn has_to_wait(&self, road: &Road, state: State, wanted: u16) -> bool {
         let is_right = |word: u16, state: State| road.machine.allows(state, (self.word, word));
-        // no more than two words under way, for of more, nobody could tell where they lead; but to take bits away,
-        // which is what stops a drive, waits for nobody
-        let is_crowded = self.older.is_some() && !self.has_arrived && wanted & !self.word != 0;
         let is_wrong = !self.possible.with(state).iter().all(|possible| is_right(wanted, possible));
-        is_right(self.word, state) && (is_crowded || is_wrong)
+        is_wrong && is_right(self.word, state)
     }
 
-    fn change(&mut self, word: u16) {
-        self.older = Some(self.word).filter(|_| !self.has_arrived);
+    const fn change(&mut self, word: u16) {
+        self.is_alone = self.has_arrived;
         (self.word, self.cycles, self.has_arrived) = (word, 1, false);
     }
 
@@ -100,15 +97,13 @@ impl Sender {
             self.tried = None;
         }
         // the one word that is under way leads here, so it has come; at first, none of this master is under way
-        let leads = |before| self.older.is_none() && after(road, before, self.word) == Some(state);
+        let leads = |before| self.is_alone && after(road, before, self.word) == Some(state);
         let has_come = before.is_none_or(|before| before != state && leads(before));
         if has_come || self.cycles > timing.round_trip {
             self.has_arrived = true;
             self.possible = StateSet::NONE.with(state);
         } else if before != Some(state) {
-            let from = self.possible.with(state);
-            let from = self.older.map_or(from, |older| follow(road, from, older));
-            self.possible = follow(road, from, self.word);
+            self.possible = follow(road, self.possible.with(state), self.word);
         }
     }
 
