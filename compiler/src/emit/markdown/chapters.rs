@@ -20,36 +20,110 @@ mod synchronisation;
 mod units;
 mod words;
 
+use device::Head;
+
 use super::context::Context;
 use super::document::{Prepared, prepare};
+use crate::model::Device;
 
-/// Makes a chapter, if there is anything to show.
-type Prepare = fn(&Context<'_>) -> Option<Prepared>;
-
-/// The chapters of a device, in the order of the document.
-pub(super) fn chapters(context: &Context<'_>) -> impl Iterator<Item = Prepared> {
-    CHAPTERS.iter().filter_map(|chapter| chapter(context))
+/// The chapters of a device, in the order of the document. Each is given what it is about: a part of the device
+/// that no chapter takes does not go unseen here.
+pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
+    let Device {
+        // The word, the name and the title stand at the front of the document.
+        id: _,
+        name: _,
+        title: _,
+        vendor,
+        about,
+        models,
+        group,
+        type_name,
+        profile,
+        physics,
+        identity,
+        eeprom,
+        documents,
+        axes,
+        shifts,
+        pdo_shift,
+        coupling,
+        areas,
+        objects,
+        pdos,
+        sync_managers,
+        mailbox,
+        words,
+        states,
+        commands,
+        transitions,
+        communication_states,
+        communication_transitions,
+        modes,
+        mode_changes,
+        stop_options,
+        errors,
+        vendor_codes,
+        units,
+        sync_modes,
+        cycle_times,
+        dead_time,
+        leds,
+        connectors,
+        parameters,
+        coordinates,
+        homing_methods,
+        registers,
+        al_status_codes,
+        telegrams,
+        configurations,
+        limits,
+        master_settings,
+        procedures,
+        assumptions,
+        remarks,
+        errata,
+        origin: _,
+    } = context.device;
+    let head = Head {
+        vendor,
+        about: about.as_deref(),
+        models,
+        group,
+        type_name,
+        profile: *profile,
+        physics,
+        identity,
+        eeprom,
+        limits,
+    };
+    let link_layer = (
+        &**communication_states,
+        &**communication_transitions,
+        &**al_status_codes,
+        &**sync_managers,
+        mailbox.as_ref(),
+    );
+    let chapters = [
+        prepare::<device::View>(context, head),
+        prepare::<axes::View>(context, (axes, shifts, *pdo_shift, coupling.as_deref())),
+        prepare::<connections::View>(context, (connectors, leds)),
+        prepare::<communication::View>(context, link_layer),
+        prepare::<synchronisation::View>(context, (sync_modes, cycle_times, dead_time.as_ref())),
+        prepare::<process_data::View>(context, pdos),
+        prepare::<configurations::View>(context, configurations),
+        prepare::<words::View>(context, words),
+        prepare::<states::View>(context, (states, commands, transitions)),
+        prepare::<modes::View>(context, (modes, mode_changes)),
+        prepare::<homing::View>(context, homing_methods),
+        prepare::<stopping::View>(context, stop_options),
+        prepare::<errors::View>(context, (errors, vendor_codes)),
+        prepare::<units::View>(context, units),
+        prepare::<coordinates::View>(context, coordinates.as_ref()),
+        prepare::<objects::View>(context, (areas, objects)),
+        prepare::<registers::View>(context, (registers, telegrams)),
+        prepare::<service::View>(context, (master_settings, parameters, procedures)),
+        prepare::<sources::View>(context, (documents, errata, remarks, assumptions)),
+    ];
+    chapters.into_iter().flatten().collect()
 }
-
-/// All chapters, in the order of the document.
-static CHAPTERS: &[Prepare] = &[
-    prepare::<device::View>,
-    prepare::<axes::View>,
-    prepare::<connections::View>,
-    prepare::<communication::View>,
-    prepare::<synchronisation::View>,
-    prepare::<process_data::View>,
-    prepare::<configurations::View>,
-    prepare::<words::View>,
-    prepare::<states::View>,
-    prepare::<modes::View>,
-    prepare::<homing::View>,
-    prepare::<stopping::View>,
-    prepare::<errors::View>,
-    prepare::<units::View>,
-    prepare::<coordinates::View>,
-    prepare::<objects::View>,
-    prepare::<registers::View>,
-    prepare::<service::View>,
-    prepare::<sources::View>,
-];

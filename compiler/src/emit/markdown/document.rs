@@ -18,6 +18,9 @@ const BODY: &str = include_str!("templates/body.md.j2");
 
 /// What a chapter shows.
 pub(super) trait Chapter: Serialize + Sized {
+    /// The parts of a device that it is about.
+    type Parts<'d>;
+
     /// The word for it in links.
     const ID: &'static str;
     /// Its heading.
@@ -26,7 +29,7 @@ pub(super) trait Chapter: Serialize + Sized {
     const TEMPLATE: &'static str;
 
     /// What there is to show, if there is anything.
-    fn view(context: &Context<'_>) -> Option<Self>;
+    fn view(context: &Context<'_>, parts: Self::Parts<'_>) -> Option<Self>;
 
     /// Its parts that the contents lists.
     fn sections(&self) -> Vec<Section> {
@@ -53,8 +56,8 @@ pub(super) struct Prepared {
 }
 
 /// Makes the view of a chapter, if there is anything to show.
-pub(super) fn prepare<C: Chapter>(context: &Context<'_>) -> Option<Prepared> {
-    let view = C::view(context)?;
+pub(super) fn prepare<C: Chapter>(context: &Context<'_>, parts: C::Parts<'_>) -> Option<Prepared> {
+    let view = C::view(context, parts)?;
     Some(Prepared {
         title: C::TITLE,
         anchor: C::ID,

@@ -16,30 +16,31 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [Axis], &'d [Shift], u16, Option<&'d str>);
+
     const ID: &'static str = "axes";
     const TITLE: &'static str = "Axes";
     const TEMPLATE: &'static str = include_str!("../templates/axes.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
-        let about = device.axes.iter().any(|axis| axis.about.is_some());
-        let shown = context.has_axes() || device.coupling.is_some() || about;
+    fn view(context: &Context<'_>, (axes, shifts, pdo_shift, coupling): Self::Parts<'_>) -> Option<Self> {
+        let about = axes.iter().any(|axis| axis.about.is_some());
+        let shown = context.has_axes() || coupling.is_some() || about;
         shown.then(|| Self {
-            coupling: context.paragraphs(device.coupling.as_deref()),
-            axes: axes(context),
-            rules: rules(context),
+            coupling: context.paragraphs(coupling),
+            axes: table(context, axes, shifts),
+            rules: rules(context, shifts, pdo_shift),
         })
     }
 }
 
-fn axes(context: &Context<'_>) -> Table {
-    let device = context.device;
-    Table::of(["No.", "Axis", "Motion", "Objects", "PDOs"], &device.axes, |axis| {
+fn table(context: &Context<'_>, axes: &[Axis], shifts: &[Shift]) -> Table {
+    Table::of(["No.", "Axis", "Motion", "Objects", "PDOs"], axes, |axis| {
+        let Axis { number, name, about } = axis;
         [
-            (axis.number + 1).to_string(),
-            format!("**{}**", text(&axis.name)),
-            context.optional(axis.about.as_deref()),
-            list(device.shifts.iter().map(|shift| range_of(axis, shift))),
+            (number + 1).to_string(),
+            format!("**{}**", text(name)),
+            context.optional(about.as_deref()),
+            list(shifts.iter().map(|shift| range_of(axis, shift))),
             pdos(context, axis),
         ]
     })
@@ -55,17 +56,17 @@ fn pdos(context: &Context<'_>, axis: &Axis) -> String {
     list(own.map(|pdo| code(pdo.index)))
 }
 
-fn rules(context: &Context<'_>) -> Vec<String> {
+fn rules(context: &Context<'_>, shifts: &[Shift], pdo_shift: u16) -> Vec<String> {
     let device = context.device;
     if !context.has_axes() {
         return Vec::new();
     }
     let first = device.axes.first().map_or("", |axis| axis.name.as_str());
-    let objects = device.shifts.iter().map(|shift| {
+    let objects = shifts.iter().map(|shift| {
         let (from, to) = (code(shift.first), code(shift.last));
         format!("objects {from} to {to} by {}", code(format!("{:#X}", shift.by).replace("0X", "0x")))
     });
-    let pdos = format!("PDOs by {}", code(format!("{:#X}", device.pdo_shift).replace("0X", "0x")));
+    let pdos = format!("PDOs by {}", code(format!("{:#X}", pdo_shift).replace("0X", "0x")));
     let has_pdos = device.pdos.iter().any(|pdo| pdo.axis.is_some());
     let moved = objects.chain(has_pdos.then_some(pdos));
     vec![format!(

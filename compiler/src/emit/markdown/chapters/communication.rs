@@ -7,7 +7,7 @@ use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::bytes;
 use crate::emit::markdown::table::Table;
-use crate::model::{Mailbox, Role, SyncManager};
+use crate::model::{AlStatusCode, CommunicationState, CommunicationTransition, Mailbox, Role, SyncManager};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -19,17 +19,28 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (
+        &'d [CommunicationState],
+        &'d [CommunicationTransition],
+        &'d [AlStatusCode],
+        &'d [SyncManager],
+        Option<&'d Mailbox>,
+    );
+
     const ID: &'static str = "communication";
     const TITLE: &'static str = "Communication";
     const TEMPLATE: &'static str = include_str!("../templates/communication.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
+    fn view(
+        context: &Context<'_>,
+        (states, transitions, codes, managers, mailbox): Self::Parts<'_>,
+    ) -> Option<Self> {
         let view = Self {
-            states: states(context),
-            transitions: transitions(context),
-            al_status_codes: al_status_codes(context),
-            sync_managers: sync_managers(context),
-            mailbox: context.device.mailbox.as_ref().map(mailbox).unwrap_or_default(),
+            states: state_table(context, states),
+            transitions: transition_table(context, states, transitions),
+            al_status_codes: al_status_codes(context, codes),
+            sync_managers: sync_managers(context, managers),
+            mailbox: mailbox.map(|mailbox| services(context, mailbox)).unwrap_or_default(),
         };
         let tables =
             [&view.states, &view.transitions, &view.al_status_codes, &view.sync_managers, &view.mailbox];
@@ -37,27 +48,23 @@ impl Chapter for View {
     }
 }
 
-fn states(context: &Context<'_>) -> Table {
-    Table::of(
-        ["Code", "State", "What the device does", "Source"],
-        &context.device.communication_states,
-        |state| {
-            [
-                code(state.code),
-                format!("**{}**", text(&state.name)),
-                context.optional(state.about.as_deref()),
-                context.source(state.source.as_ref()),
-            ]
-        },
-    )
+fn state_table(context: &Context<'_>, states: &[CommunicationState]) -> Table {
+    Table::of(["Code", "State", "What the device does", "Source"], states, |state| {
+        [
+            code(state.code),
+            format!("**{}**", text(&state.name)),
+            context.optional(state.about.as_deref()),
+            context.source(state.source.as_ref()),
+        ]
+    })
 }
 
-fn transitions(context: &Context<'_>) -> Table {
-    let name = |id: &str| {
-        let states = &context.device.communication_states;
-        text(states.iter().find(|state| state.id == id).map_or(id, |state| &state.name))
-    };
-    let rows = &context.device.communication_transitions;
+fn transition_table(
+    context: &Context<'_>,
+    states: &[CommunicationState],
+    rows: &[CommunicationTransition],
+) -> Table {
+    let name = |id: &str| text(states.iter().find(|state| state.id == id).map_or(id, |state| &state.name));
     Table::of(["Change", "From", "To", "What the device does", "Source"], rows, |change| {
         [
             code(&change.id),
@@ -69,9 +76,9 @@ fn transitions(context: &Context<'_>) -> Table {
     })
 }
 
-fn al_status_codes(context: &Context<'_>) -> Table {
+fn al_status_codes(context: &Context<'_>, codes: &[AlStatusCode]) -> Table {
     let titles = ["Code", "AL status", "During", "State afterwards", "Notes", "Source"];
-    Table::of(titles, &context.device.al_status_codes, |status| {
+    Table::of(titles, codes, |status| {
         [
             code(format!("0x{:04X}", status.code)),
             format!("**{}**", text(&status.name)),
@@ -83,10 +90,10 @@ fn al_status_codes(context: &Context<'_>) -> Table {
     })
 }
 
-fn sync_managers(context: &Context<'_>) -> Table {
+fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
     let titles =
         ["SM", "Carries", "Address", "Size", "At most", "Control", "PDOs by default", "Slots", "Source"];
-    Table::of(titles, &context.device.sync_managers, |manager| {
+    Table::of(titles, managers, |manager| {
         [
             manager.role.number().to_string(),
             carries(manager.role).into(),
@@ -114,15 +121,26 @@ fn slots(manager: &SyncManager) -> String {
     if manager.slots == 0 { String::new() } else { manager.slots.to_string() }
 }
 
-fn mailbox(mailbox: &Mailbox) -> Table {
-    let answer = |yes: bool| String::from(if yes { "yes" } else { "no" });
+fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {
+    let Mailbox {
+        protocols,
+        sdo_info,
+        pdo_assign,
+        pdo_config,
+        complete_access,
+        segmented,
+        source,
+        origin: _,
+    } = mailbox;
+    let answer = |yes: &bool| String::from(if *yes { "yes" } else { "no" });
     let rows = [
-        ("Protocols", list(mailbox.protocols.iter().map(|protocol| text(protocol)))),
-        ("Reading out the dictionary (SDO information)", answer(mailbox.sdo_info)),
-        ("Choosing PDOs (0x1C12, 0x1C13)", answer(mailbox.pdo_assign)),
-        ("Changing what PDOs map", answer(mailbox.pdo_config)),
-        ("Complete access", answer(mailbox.complete_access)),
-        ("Segmented transfer", answer(mailbox.segmented)),
+        ("Protocols", list(protocols.iter().map(|protocol| text(protocol)))),
+        ("Reading out the dictionary (SDO information)", answer(sdo_info)),
+        ("Choosing PDOs (0x1C12, 0x1C13)", answer(pdo_assign)),
+        ("Changing what PDOs map", answer(pdo_config)),
+        ("Complete access", answer(complete_access)),
+        ("Segmented transfer", answer(segmented)),
     ];
-    Table::of(["Mailbox", "Supported"], rows, |(name, value)| [name.into(), value])
+    let source = context.source(source.as_ref());
+    Table::of(["Mailbox", "Supported", "Source"], rows, |(name, value)| [name.into(), value, source.clone()])
 }

@@ -34,14 +34,15 @@ struct MappingView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = &'d [Configuration];
+
     const ID: &'static str = "configurations";
     const TITLE: &'static str = "Start-up configurations";
     const TEMPLATE: &'static str = include_str!("../templates/configurations.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let configurations = context.device.configurations.iter();
+    fn view(context: &Context<'_>, configurations: Self::Parts<'_>) -> Option<Self> {
         let configurations: Vec<ConfigurationView> =
-            configurations.map(|one| configuration(context, one)).collect();
+            configurations.iter().map(|one| configuration(context, one)).collect();
         (!configurations.is_empty()).then_some(Self { configurations })
     }
 
@@ -53,14 +54,27 @@ impl Chapter for View {
 }
 
 fn configuration(context: &Context<'_>, configuration: &Configuration) -> ConfigurationView {
+    let Configuration {
+        id,
+        name,
+        mapping,
+        about,
+        source,
+        outputs: _,
+        inputs: _,
+        mode: _,
+        cycle_ns: _,
+        startup: _,
+        origin: _,
+    } = configuration;
     ConfigurationView {
-        anchor: format!("configuration-{}", configuration.id),
-        name: text(&configuration.name),
-        about: context.paragraphs(configuration.about.as_deref()),
+        anchor: format!("configuration-{id}"),
+        name: text(name),
+        about: context.paragraphs(about.as_deref()),
         facts: facts(context, configuration),
-        mapping: configuration.mapping.iter().map(|pdo| mapping(context, pdo)).collect(),
+        mapping: mapping.iter().map(|pdo| self::mapping(context, pdo)).collect(),
         startup: startup(context, configuration),
-        source: context.source_line(configuration.source.as_ref()),
+        source: context.source_line(source.as_ref()),
     }
 }
 

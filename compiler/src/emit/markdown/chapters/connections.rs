@@ -6,7 +6,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::text;
 use crate::emit::markdown::table::Table;
-use crate::model::Led;
+use crate::model::{Connector, Led};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -15,19 +15,20 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [Connector], &'d [Led]);
+
     const ID: &'static str = "connections";
     const TITLE: &'static str = "Connections and lights";
     const TEMPLATE: &'static str = include_str!("../templates/connections.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
-        let shown = !device.connectors.is_empty() || !device.leds.is_empty();
-        shown.then(|| Self { connectors: connectors(context), lights: lights(context) })
+    fn view(context: &Context<'_>, (connectors, leds): Self::Parts<'_>) -> Option<Self> {
+        let shown = !connectors.is_empty() || !leds.is_empty();
+        shown.then(|| Self { connectors: sockets(context, connectors), lights: lights(context, leds) })
     }
 }
 
-fn connectors(context: &Context<'_>) -> Table {
-    Table::of(["Socket", "Kind", "Use", "Source"], &context.device.connectors, |connector| {
+fn sockets(context: &Context<'_>, connectors: &[Connector]) -> Table {
+    Table::of(["Socket", "Kind", "Use", "Source"], connectors, |connector| {
         [
             format!("**{}**", text(&connector.name)),
             context.optional(connector.kind.as_deref()),
@@ -38,9 +39,9 @@ fn connectors(context: &Context<'_>) -> Table {
 }
 
 /// A row for each light, then one for each of its patterns.
-fn lights(context: &Context<'_>) -> Table {
+fn lights(context: &Context<'_>, leds: &[Led]) -> Table {
     let mut table = Table::new(["Light", "Colour", "Shows", "Meaning", "Source"]);
-    for led in &context.device.leds {
+    for led in leds {
         let source = context.source(led.source.as_ref());
         let about = context.optional(led.about.as_deref());
         let row = |name: [String; 2], shows: String, means: String| {

@@ -18,12 +18,14 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = Option<&'d Coordinates>;
+
     const ID: &'static str = "coordinates";
     const TITLE: &'static str = "Numbering of parameters";
     const TEMPLATE: &'static str = include_str!("../templates/coordinates.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let coordinates = context.device.coordinates.as_ref()?;
+    fn view(context: &Context<'_>, coordinates: Self::Parts<'_>) -> Option<Self> {
+        let coordinates = coordinates?;
         let shift = format!("SDO information counts subindices from {} on.", coordinates.info_shift);
         Some(Self {
             about: context.paragraphs(coordinates.about.as_deref()),

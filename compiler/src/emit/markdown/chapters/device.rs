@@ -7,7 +7,7 @@ use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, link, list, text};
 use crate::emit::markdown::number::bytes;
 use crate::emit::markdown::table::Table;
-use crate::model::{Device, Role};
+use crate::model::{Eeprom, Identity, Limit, Role};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -18,40 +18,54 @@ pub(in crate::emit::markdown) struct View {
     source: String,
 }
 
+/// What is said of a device before anything else.
+pub(in crate::emit::markdown) struct Head<'d> {
+    pub(super) vendor: &'d str,
+    pub(super) about: Option<&'d str>,
+    pub(super) models: &'d [String],
+    pub(super) group: &'d str,
+    pub(super) type_name: &'d str,
+    pub(super) profile: Option<u32>,
+    pub(super) physics: &'d str,
+    pub(super) identity: &'d Identity,
+    pub(super) eeprom: &'d Eeprom,
+    pub(super) limits: &'d [Limit],
+}
+
 impl Chapter for View {
+    type Parts<'d> = Head<'d>;
+
     const ID: &'static str = "device";
     const TITLE: &'static str = "Device";
     const TEMPLATE: &'static str = include_str!("../templates/device.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
+    fn view(context: &Context<'_>, head: Head<'_>) -> Option<Self> {
         Some(Self {
-            about: context.paragraphs(device.about.as_deref()),
-            facts: facts(context),
-            identity: identity(device),
-            limits: limits(context),
-            source: context.source_line(device.identity.source.as_ref()),
+            about: context.paragraphs(head.about),
+            facts: facts(context, &head),
+            identity: identity(head.identity),
+            limits: limits(context, head.limits),
+            source: context.source_line(head.identity.source.as_ref()),
         })
     }
 }
 
-fn facts(context: &Context<'_>) -> Table {
-    let device = context.device;
-    let names = list(context.axis_names().map(text));
+fn facts(context: &Context<'_>, head: &Head<'_>) -> Table {
+    let names: Vec<String> = context.axis_names().map(text).collect();
     let axes = match context.has_axes() {
-        true => format!("{}: {}", link(device.axes.len(), "axes"), names),
+        true => format!("{}: {}", link(names.len(), "axes"), list(names)),
         false => String::new(),
     };
     let rows = [
-        ("Vendor", text(&device.vendor)),
-        ("Models", list(device.models.iter().map(|model| text(model)))),
-        ("Type", code(&device.type_name)),
-        ("Group", text(&device.group)),
-        ("Profile", device.profile.map_or(String::new(), |profile| format!("CiA {profile}"))),
+        ("Vendor", text(head.vendor)),
+        ("Models", list(head.models.iter().map(|model| text(model)))),
+        ("Type", code(head.type_name)),
+        ("Group", text(head.group)),
+        ("Profile", head.profile.map_or(String::new(), |profile| format!("CiA {profile}"))),
         ("Axes", axes),
         ("Process data", process_data(context)),
-        ("Ports", ports(&device.physics)),
-        ("EEPROM", eeprom(device)),
+        ("Ports", ports(head.physics)),
+        ("EEPROM", memory(head.eeprom)),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
     Table::of(["Device", "Facts"], rows, |(name, value)| [name.into(), value])
@@ -78,14 +92,15 @@ fn ports(physics: &str) -> String {
     list(ports.enumerate().map(|(number, port)| format!("{number}: {port}")))
 }
 
-fn eeprom(device: &Device) -> String {
-    let config: Vec<String> = device.eeprom.config_data.iter().map(|byte| format!("{byte:02X}")).collect();
-    let size = bytes(device.eeprom.size);
+fn memory(eeprom: &Eeprom) -> String {
+    let Eeprom { size, config_data } = eeprom;
+    let config: Vec<String> = config_data.iter().map(|byte| format!("{byte:02X}")).collect();
+    let size = bytes(*size);
     if config.is_empty() { size } else { format!("{size}, begins with {}", code(config.join(" "))) }
 }
 
-fn limits(context: &Context<'_>) -> Table {
-    Table::of(["Limit", "Figure", "Notes", "Source"], &context.device.limits, |limit| {
+fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {
+    Table::of(["Limit", "Figure", "Notes", "Source"], limits, |limit| {
         [
             text(&limit.name),
             context.prose(&limit.value),
@@ -95,13 +110,13 @@ fn limits(context: &Context<'_>) -> Table {
     })
 }
 
-fn identity(device: &Device) -> Table {
-    let identity = &device.identity;
+fn identity(identity: &Identity) -> Table {
+    let Identity { vendor_id, product_code, revision, serial, source: _, origin: _ } = identity;
     let rows = [
-        ("Vendor ID", identity.vendor_id),
-        ("Product code", identity.product_code),
-        ("Revision number", identity.revision),
-        ("Serial number", identity.serial),
+        ("Vendor ID", vendor_id),
+        ("Product code", product_code),
+        ("Revision number", revision),
+        ("Serial number", serial),
     ];
     Table::of(["Identity", "Hexadecimal", "Decimal"], rows, |(name, value)| {
         [name.into(), code(format!("{value:#010X}").replace("0X", "0x")), code(value)]

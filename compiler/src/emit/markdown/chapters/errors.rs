@@ -19,16 +19,17 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [ErrorCode], &'d [VendorCode]);
+
     const ID: &'static str = "errors";
     const TITLE: &'static str = "Errors";
     const TEMPLATE: &'static str = include_str!("../templates/errors.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
-        (!device.errors.is_empty() || !device.vendor_codes.is_empty()).then(|| Self {
+    fn view(context: &Context<'_>, (errors, vendor_codes): Self::Parts<'_>) -> Option<Self> {
+        (!errors.is_empty() || !vendor_codes.is_empty()).then(|| Self {
             register: register(context),
-            errors: errors(context),
-            vendor_codes: vendor_codes(context),
+            errors: error_table(context, errors),
+            vendor_codes: vendor_table(context, vendor_codes),
         })
     }
 }
@@ -38,17 +39,29 @@ fn register(context: &Context<'_>) -> String {
     word.map_or(String::new(), |word| link(text(&word.name), context.word_id(&word.id)))
 }
 
-fn errors(context: &Context<'_>) -> Table {
+fn error_table(context: &Context<'_>, errors: &[ErrorCode]) -> Table {
     let titles = ["Code", "Error", "Register", "Vendor code", "Meaning", "What to do", "Source"];
-    Table::of(titles, &context.device.errors, |error| {
+    Table::of(titles, errors, |error| {
+        let ErrorCode {
+            code: _,
+            last: _,
+            id: _,
+            name,
+            register,
+            vendor_codes,
+            about,
+            remedy,
+            source,
+            origin: _,
+        } = error;
         [
             format!("{}{}", anchor(context.error_id(error)), codes(error)),
-            format!("**{}**", text(&error.name)),
-            error.register.map_or(String::new(), |register| code(format!("0x{register:02X}"))),
-            list(error.vendor_codes.iter().map(|code| vendor_code(context, *code))),
-            context.optional(error.about.as_deref()),
-            context.optional(error.remedy.as_deref()),
-            context.source(error.source.as_ref()),
+            format!("**{}**", text(name)),
+            register.map_or(String::new(), |register| code(format!("0x{register:02X}"))),
+            list(vendor_codes.iter().map(|code| vendor_code(context, *code))),
+            context.optional(about.as_deref()),
+            context.optional(remedy.as_deref()),
+            context.source(source.as_ref()),
         ]
     })
 }
@@ -74,9 +87,9 @@ fn vendor_id(number: u32) -> String {
     format!("vendor-code-{number}")
 }
 
-fn vendor_codes(context: &Context<'_>) -> Table {
+fn vendor_table(context: &Context<'_>, vendor_codes: &[VendorCode]) -> Table {
     let titles = ["Code", "Name", "Meaning", "Reported as", "Source"];
-    Table::of(titles, &context.device.vendor_codes, |vendor| {
+    Table::of(titles, vendor_codes, |vendor| {
         let errors = context.device.errors.iter().filter(|error| error.vendor_codes.contains(&vendor.code));
         [
             format!("{}{}", anchor(vendor_id(vendor.code)), code(vendor.code)),

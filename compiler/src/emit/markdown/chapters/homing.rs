@@ -28,12 +28,13 @@ struct CaseView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = &'d [HomingMethod];
+
     const ID: &'static str = "homing";
     const TITLE: &'static str = "Homing methods";
     const TEMPLATE: &'static str = include_str!("../templates/homing.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let methods = &context.device.homing_methods;
+    fn view(context: &Context<'_>, methods: Self::Parts<'_>) -> Option<Self> {
         let told =
             methods.iter().filter(|method| !method.steps.is_empty() || !method.alternatives.is_empty());
         (!methods.is_empty()).then(|| Self {
@@ -55,19 +56,36 @@ fn table(context: &Context<'_>, methods: &[HomingMethod]) -> Table {
         "Notes",
         "Source",
     ];
-    Table::of(titles, methods, |method| {
-        let numbers = [method.number].into_iter().chain(method.aliases.iter().copied());
-        let id = format!("homing-{}", method.number);
+    Table::of(titles, methods, |one| {
+        // The steps follow the table.
+        let HomingMethod {
+            number,
+            aliases,
+            id: _,
+            name,
+            method,
+            direction,
+            pulse,
+            target,
+            parameters,
+            steps: _,
+            alternatives: _,
+            about,
+            source,
+            origin: _,
+        } = one;
+        let numbers = [*number].into_iter().chain(aliases.iter().copied());
+        let id = format!("homing-{number}");
         [
             format!("{}{}", anchor(id), list(numbers.map(code))),
-            format!("**{}**", text(&method.name)),
-            method.method.as_deref().map_or(String::new(), text),
-            method.direction.map_or("", way).into(),
-            context.optional(method.target.as_deref()),
-            if method.pulse { "✓".into() } else { String::new() },
-            list(method.parameters.iter().map(code)),
-            context.optional(method.about.as_deref()),
-            context.source(method.source.as_ref()),
+            format!("**{}**", text(name)),
+            method.as_deref().map_or(String::new(), text),
+            direction.map_or("", way).into(),
+            context.optional(target.as_deref()),
+            if *pulse { "✓".into() } else { String::new() },
+            list(parameters.iter().map(code)),
+            context.optional(about.as_deref()),
+            context.source(source.as_ref()),
         ]
     })
 }

@@ -7,7 +7,7 @@ use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, link, list, sentence, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Mode, ModeBits};
+use crate::model::{Mode, ModeBits, ModeChange, MotionCommand};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -31,16 +31,17 @@ struct ModeView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [Mode], &'d [ModeChange]);
+
     const ID: &'static str = "modes";
     const TITLE: &'static str = "Modes of operation";
     const TEMPLATE: &'static str = include_str!("../templates/modes.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
-        (!device.modes.is_empty() || !device.mode_changes.is_empty()).then(|| Self {
-            overview: overview(context),
-            modes: device.modes.iter().map(|mode| mode_view(context, mode)).collect(),
-            changes: changes(context),
+    fn view(context: &Context<'_>, (modes, mode_changes): Self::Parts<'_>) -> Option<Self> {
+        (!modes.is_empty() || !mode_changes.is_empty()).then(|| Self {
+            overview: overview(context, modes),
+            modes: modes.iter().map(|mode| mode_view(context, mode)).collect(),
+            changes: changes(context, mode_changes),
         })
     }
 
@@ -50,9 +51,9 @@ impl Chapter for View {
     }
 }
 
-fn overview(context: &Context<'_>) -> Table {
+fn overview(context: &Context<'_>, modes: &[Mode]) -> Table {
     let titles = ["Code", "Mode", "Short", "Set values", "Bit of 0x6502", "Other codes"];
-    Table::of(titles, &context.device.modes, |mode| {
+    Table::of(titles, modes, |mode| {
         [
             code(mode.code),
             link(text(&mode.name), context.mode_id(mode.code)),
@@ -65,17 +66,36 @@ fn overview(context: &Context<'_>) -> Table {
 }
 
 fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
+    // What is left out stands in the overview.
+    let Mode {
+        code,
+        about,
+        objects,
+        control_bits,
+        status_bits,
+        conditions,
+        cautions,
+        commands,
+        source,
+        aliases: _,
+        id: _,
+        name: _,
+        cyclic: _,
+        supported_bit: _,
+        origin: _,
+    } = mode;
+    let sentences = |lines: &[String]| lines.iter().map(|line| sentence(&context.prose(line))).collect();
     ModeView {
-        anchor: context.mode_id(mode.code),
+        anchor: context.mode_id(*code),
         title: mode_label(mode),
-        about: context.paragraphs(mode.about.as_deref()),
-        cautions: mode.cautions.iter().map(|caution| sentence(&context.prose(caution))).collect(),
-        conditions: mode.conditions.iter().map(|condition| sentence(&context.prose(condition))).collect(),
-        objects: list(mode.objects.iter().map(|address| context.named(*address))),
-        control_bits: fields(context, "Bit of the controlword", &mode.control_bits),
-        status_bits: fields(context, "Bit of the statusword", &mode.status_bits),
-        commands: commands(context, mode),
-        source: context.source_line(mode.source.as_ref()),
+        about: context.paragraphs(about.as_deref()),
+        cautions: sentences(cautions),
+        conditions: sentences(conditions),
+        objects: list(objects.iter().map(|address| context.named(*address))),
+        control_bits: fields(context, "Bit of the controlword", control_bits),
+        status_bits: fields(context, "Bit of the statusword", status_bits),
+        commands: command_table(context, commands),
+        source: context.source_line(source.as_ref()),
     }
 }
 
@@ -83,9 +103,9 @@ fn fields(context: &Context<'_>, title: &str, mode_bits: &ModeBits) -> Table {
     table(title, &mode_bits.fields, |field| statements(context, field).join("<br>"))
 }
 
-fn commands(context: &Context<'_>, mode: &Mode) -> Table {
+fn command_table(context: &Context<'_>, commands: &[MotionCommand]) -> Table {
     let titles = ["Motion command", "Name", "Chosen by", "What it does", "Controls", "Needs"];
-    Table::of(titles, &mode.commands, |command| {
+    Table::of(titles, commands, |command| {
         [
             command.code.map_or(String::new(), code),
             text(&command.name),
@@ -97,13 +117,13 @@ fn commands(context: &Context<'_>, mode: &Mode) -> Table {
     })
 }
 
-fn changes(context: &Context<'_>) -> Table {
+fn changes(context: &Context<'_>, mode_changes: &[ModeChange]) -> Table {
     let modes = |codes: &[i16]| match codes {
         [] => "any".into(),
         codes => list(codes.iter().map(|code| context.mode(*code))),
     };
     let titles = ["From", "To", "Done when", "Fault when", "Notes", "Source"];
-    Table::of(titles, &context.device.mode_changes, |change| {
+    Table::of(titles, mode_changes, |change| {
         [
             modes(&change.from),
             modes(&change.to),

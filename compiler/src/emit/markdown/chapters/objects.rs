@@ -2,6 +2,7 @@
 
 mod area;
 mod detail;
+mod marks;
 mod overview;
 mod per_axis;
 
@@ -13,7 +14,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{small, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Object, Source};
+use crate::model::{Area, Object, Source};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -27,20 +28,23 @@ struct AreaView {
     about: String,
     source: String,
     objects: Table,
+    legend: String,
     on_axes: Table,
     brief: Vec<String>,
     full: Vec<ObjectView>,
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [Area], &'d [Object]);
+
     const ID: &'static str = "objects";
     const TITLE: &'static str = "Object dictionary";
     const TEMPLATE: &'static str = include_str!("../templates/objects.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
+    fn view(context: &Context<'_>, (areas, objects): Self::Parts<'_>) -> Option<Self> {
         let areas: Vec<AreaView> =
-            area::areas(context).into_iter().map(|area| area_view(context, &area)).collect();
-        (!areas.is_empty()).then_some(Self { areas })
+            area::areas(context, areas).into_iter().map(|area| area_view(context, &area)).collect();
+        (!objects.is_empty()).then_some(Self { areas })
     }
 
     fn sections(&self) -> Vec<Section> {
@@ -57,11 +61,12 @@ fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
         about: context.paragraphs(area.about),
         source: common.map_or(String::new(), |common| source_line(context, common)),
         objects: Table::default(),
+        legend: String::new(),
         on_axes: per_axis::indices(context, &area.objects),
         brief: Vec::new(),
         full: Vec::new(),
     };
-    let mut lines = overview::Lines::new(context);
+    let mut lines = overview::Lines::new(context, &area.objects);
     for object in &area.objects {
         let detail = detail::detail(context, object, common);
         lines.object(object, detail.is_some());
@@ -71,6 +76,7 @@ fn area_view(context: &Context<'_>, area: &area::Contents<'_>) -> AreaView {
             None => {}
         }
     }
+    view.legend = lines.legend();
     view.objects = lines.table;
     view
 }

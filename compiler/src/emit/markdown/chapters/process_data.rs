@@ -36,15 +36,17 @@ struct PdoView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = &'d [Pdo];
+
     const ID: &'static str = "process-data";
     const TITLE: &'static str = "Process data";
     const TEMPLATE: &'static str = include_str!("../templates/process_data.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
+    fn view(context: &Context<'_>, pdos: Self::Parts<'_>) -> Option<Self> {
         let directions = [(Direction::Rx, Role::Outputs), (Direction::Tx, Role::Inputs)];
         let directions = directions.into_iter().filter_map(|(way, role)| direction(context, way, role));
         let directions: Vec<DirectionView> = directions.collect();
-        (!directions.is_empty()).then_some(Self { directions })
+        (!pdos.is_empty()).then_some(Self { directions })
     }
 
     fn sections(&self) -> Vec<Section> {
@@ -119,17 +121,35 @@ fn pdo_view(context: &Context<'_>, pdo: &Pdo) -> PdoView {
     }
 }
 
+/// What is to be said of a PDO beyond the overview, its layout and what else its view shows.
 fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
-    let assigned = context.device.sync_managers.iter().any(|manager| manager.pdos.contains(&pdo.index));
-    let claimed = pdo.total.filter(|total| u32::from(*total) != pdo.bytes());
+    let Pdo {
+        index,
+        mandatory,
+        fixed,
+        max_bytes,
+        max_entries,
+        mode,
+        total,
+        direction: _,
+        name: _,
+        axis: _,
+        entries: _,
+        excludes: _,
+        about: _,
+        source: _,
+        origin: _,
+    } = pdo;
+    let assigned = context.device.sync_managers.iter().any(|manager| manager.pdos.contains(index));
+    let claimed = total.filter(|total| u32::from(*total) != pdo.bytes());
     let facts = [
         Some(format!("**{}**", width(pdo.bits()))),
         assigned.then(|| "assigned by default".into()),
-        pdo.mandatory.then(|| "cannot be taken out".into()),
-        pdo.fixed.then(|| "fixed mapping".into()),
-        pdo.max_bytes.map(|most| format!("can be mapped up to {}", bytes(most.into()))),
-        pdo.max_entries.map(|most| format!("up to {most} entries")),
-        pdo.mode.map(|mode| format!("for mode {}", context.mode(mode))),
+        mandatory.then(|| "cannot be taken out".into()),
+        fixed.then(|| "fixed mapping".into()),
+        max_bytes.map(|most| format!("can be mapped up to {}", bytes(most.into()))),
+        max_entries.map(|most| format!("up to {most} entries")),
+        mode.map(|mode| format!("for mode {}", context.mode(mode))),
         claimed.map(|total| format!("the manual gives {}", bytes(total.into()))),
     ];
     facts.into_iter().flatten().collect()

@@ -27,24 +27,25 @@ struct FieldsView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [Register], &'d [Telegram]);
+
     const ID: &'static str = "registers";
     const TITLE: &'static str = "Registers and messages";
     const TEMPLATE: &'static str = include_str!("../templates/registers.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
-        let with_bits = device.registers.iter().filter(|register| !register.fields.is_empty());
-        (!device.registers.is_empty() || !device.telegrams.is_empty()).then(|| Self {
-            registers: registers(context),
+    fn view(context: &Context<'_>, (registers, telegrams): Self::Parts<'_>) -> Option<Self> {
+        let with_bits = registers.iter().filter(|register| !register.fields.is_empty());
+        (!registers.is_empty() || !telegrams.is_empty()).then(|| Self {
+            registers: table(context, registers),
             bits: with_bits.map(|register| bits(context, register)).collect(),
-            telegrams: device.telegrams.iter().map(|telegram| message(context, telegram)).collect(),
+            telegrams: telegrams.iter().map(|telegram| message(context, telegram)).collect(),
         })
     }
 }
 
-fn registers(context: &Context<'_>) -> Table {
+fn table(context: &Context<'_>, registers: &[Register]) -> Table {
     let titles = ["Address", "Register", "Length", "Master", "Drive", "Notes", "Source"];
-    Table::of(titles, &context.device.registers, |register| {
+    Table::of(titles, registers, |register| {
         [
             hex(register.address),
             format!("**{}**", text(&register.name)),

@@ -6,7 +6,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, sentence, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Parameter, Procedure, Step, ValueRange};
+use crate::model::{MasterSetting, Parameter, Procedure, Step, ValueRange};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -25,20 +25,17 @@ struct ProcedureView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [MasterSetting], &'d [Parameter], &'d [Procedure]);
+
     const ID: &'static str = "service";
     const TITLE: &'static str = "Settings and procedures";
     const TEMPLATE: &'static str = include_str!("../templates/service.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
+    fn view(context: &Context<'_>, (settings, parameters, procedures): Self::Parts<'_>) -> Option<Self> {
         let view = Self {
-            master_settings: master_settings(context),
-            parameters: parameters(context),
-            procedures: context
-                .device
-                .procedures
-                .iter()
-                .map(|procedure| procedure_view(context, procedure))
-                .collect(),
+            master_settings: master_settings(context, settings),
+            parameters: parameter_table(context, parameters),
+            procedures: procedures.iter().map(|procedure| procedure_view(context, procedure)).collect(),
         };
         let empty =
             view.master_settings.is_empty() && view.parameters.is_empty() && view.procedures.is_empty();
@@ -51,9 +48,9 @@ impl Chapter for View {
     }
 }
 
-fn master_settings(context: &Context<'_>) -> Table {
+fn master_settings(context: &Context<'_>, settings: &[MasterSetting]) -> Table {
     let titles = ["Setting", "Value", "For", "Why", "Source"];
-    Table::of(titles, &context.device.master_settings, |setting| {
+    Table::of(titles, settings, |setting| {
         [
             format!("**{}**", text(&setting.name)),
             context.prose(&setting.value),
@@ -64,9 +61,9 @@ fn master_settings(context: &Context<'_>) -> Table {
     })
 }
 
-fn parameters(context: &Context<'_>) -> Table {
+fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
     let titles = ["Parameter", "Name", "Object", "On delivery", "Range", "Unit", "What it does", "Source"];
-    Table::of(titles, &context.device.parameters, |parameter| {
+    Table::of(titles, parameters, |parameter| {
         [
             code(&parameter.id),
             format!("**{}**", text(&parameter.name)),

@@ -6,7 +6,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{anchor, code, sentence, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Erratum, RemarkKind};
+use crate::model::{Assumption, Document, Erratum, Remark, RemarkKind};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -27,26 +27,29 @@ struct ErratumView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [Document], &'d [Erratum], &'d [Remark], &'d [Assumption]);
+
     const ID: &'static str = "sources";
     const TITLE: &'static str = "Sources";
     const TEMPLATE: &'static str = include_str!("../templates/sources.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
-        let lists =
-            [device.documents.len(), device.errata.len(), device.remarks.len(), device.assumptions.len()];
+    fn view(
+        context: &Context<'_>,
+        (documents, errata, remarks, assumptions): Self::Parts<'_>,
+    ) -> Option<Self> {
+        let lists = [documents.len(), errata.len(), remarks.len(), assumptions.len()];
         (lists.iter().sum::<usize>() > 0).then(|| Self {
-            documents: documents(context),
-            errata: device.errata.iter().map(|erratum| erratum_view(context, erratum)).collect(),
-            remarks: remarks(context),
-            assumptions: assumptions(context),
+            documents: document_table(context, documents),
+            errata: errata.iter().map(|erratum| erratum_view(context, erratum)).collect(),
+            remarks: remark_table(context, remarks),
+            assumptions: assumption_table(context, assumptions),
         })
     }
 }
 
-fn documents(context: &Context<'_>) -> Table {
+fn document_table(context: &Context<'_>, documents: &[Document]) -> Table {
     let titles = ["Document", "Number", "Edition", "Publisher", "Use"];
-    Table::of(titles, &context.device.documents, |document| {
+    Table::of(titles, documents, |document| {
         let optional = |plain: &Option<String>| plain.as_deref().map_or(String::new(), text);
         [
             format!("{}{}", anchor(format!("doc-{}", document.id)), text(&document.title)),
@@ -69,8 +72,8 @@ fn erratum_view(context: &Context<'_>, erratum: &Erratum) -> ErratumView {
     }
 }
 
-fn remarks(context: &Context<'_>) -> Table {
-    Table::of(["About", "Kind", "Notes", "Source"], &context.device.remarks, |remark| {
+fn remark_table(context: &Context<'_>, remarks: &[Remark]) -> Table {
+    Table::of(["About", "Kind", "Notes", "Source"], remarks, |remark| {
         [
             context.prose(&remark.at),
             kind(remark.kind).into(),
@@ -88,8 +91,8 @@ fn kind(kind: RemarkKind) -> &'static str {
     }
 }
 
-fn assumptions(context: &Context<'_>) -> Table {
-    Table::of(["About", "Taken to be", "Why"], &context.device.assumptions, |assumption| {
+fn assumption_table(context: &Context<'_>, assumptions: &[Assumption]) -> Table {
+    Table::of(["About", "Taken to be", "Why"], assumptions, |assumption| {
         let value = assumption.value.as_ref().map_or(String::new(), code);
         [context.prose(&assumption.at), value, context.prose(&assumption.reason)]
     })

@@ -20,28 +20,28 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [State], &'d [Command], &'d [Transition]);
+
     const ID: &'static str = "states";
     const TITLE: &'static str = "Drive states";
     const TEMPLATE: &'static str = include_str!("../templates/states.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let device = context.device;
-        let shown =
-            !(device.states.is_empty() && device.commands.is_empty() && device.transitions.is_empty());
+    fn view(context: &Context<'_>, (states, commands, transitions): Self::Parts<'_>) -> Option<Self> {
+        let shown = !(states.is_empty() && commands.is_empty() && transitions.is_empty());
         shown.then(|| Self {
-            diagram: diagram::diagram(device),
-            states: states(context),
-            functions: functions(context),
-            commands: commands(context),
-            transitions: transitions(context),
+            diagram: diagram::diagram(context.device),
+            states: state_table(context, states),
+            functions: functions(states),
+            commands: command_table(context, commands),
+            transitions: transition_table(context, transitions),
         })
     }
 }
 
-fn states(context: &Context<'_>) -> Table {
+fn state_table(context: &Context<'_>, states: &[State]) -> Table {
     let statusword = word(context, "statusword", "Statusword");
     let titles = ["State", &statusword, "Mask", "Value", "Meaning", "Source"];
-    Table::of(titles, &context.device.states, |state| {
+    Table::of(titles, states, |state| {
         let hex = |bits: fn(&Pattern) -> u16| {
             state.pattern.as_ref().map_or(String::new(), |pattern| code(format!("0x{:04X}", bits(pattern))))
         };
@@ -69,16 +69,32 @@ fn pattern(pattern: Option<&Pattern>) -> String {
 }
 
 fn state_meaning(context: &Context<'_>, state: &State) -> String {
-    let about = state.about.iter().map(|about| context.prose(about));
-    let features = state.features.iter().map(|feature| context.prose(feature));
-    let causes = state.causes.iter().map(|cause| format!("entered by: {}", context.prose(cause)));
+    // What is left out has columns of its own.
+    let State {
+        about,
+        features,
+        causes,
+        id: _,
+        name: _,
+        pattern: _,
+        brake: _,
+        low_level_power: _,
+        high_level_power: _,
+        drive_function: _,
+        configuration: _,
+        source: _,
+        origin: _,
+    } = state;
+    let about = about.iter().map(|about| context.prose(about));
+    let features = features.iter().map(|feature| context.prose(feature));
+    let causes = causes.iter().map(|cause| format!("entered by: {}", context.prose(cause)));
     about.chain(features).chain(causes).collect::<Vec<_>>().join("<br>")
 }
 
-fn functions(context: &Context<'_>) -> Table {
+fn functions(states: &[State]) -> Table {
     let titles =
         ["State", "Brake applied", "Control power", "Motor power", "Drive function", "Configuration"];
-    let told = context.device.states.iter().filter(|state| answers(state).iter().any(Option::is_some));
+    let told = states.iter().filter(|state| answers(state).iter().any(Option::is_some));
     Table::of(titles, told, |state| {
         let [brake, low, high, function, configuration] = answers(state).map(answer);
         [format!("**{}**", text(&state.name)), brake, low, high, function, configuration]
@@ -98,24 +114,25 @@ fn answer(answer: Option<Answer>) -> String {
     }
 }
 
-fn commands(context: &Context<'_>) -> Table {
+fn command_table(context: &Context<'_>, commands: &[Command]) -> Table {
     let controlword = word(context, "controlword", "Controlword");
     let titles = ["Command", &controlword, "Transitions", "What it does", "Ignored in", "Source"];
-    Table::of(titles, &context.device.commands, |command: &Command| {
+    Table::of(titles, commands, |command: &Command| {
+        let Command { id: _, name, pattern, transitions, about, ignored_in, source, origin: _ } = command;
         [
-            format!("**{}**", text(&command.name)),
-            pattern(command.pattern.as_ref()),
-            list(command.transitions.iter().map(u8::to_string)),
-            context.optional(command.about.as_deref()),
-            list(command.ignored_in.iter().map(|id| context.state(id))),
-            context.source(command.source.as_ref()),
+            format!("**{}**", text(name)),
+            self::pattern(pattern.as_ref()),
+            list(transitions.iter().map(u8::to_string)),
+            context.optional(about.as_deref()),
+            list(ignored_in.iter().map(|id| context.state(id))),
+            context.source(source.as_ref()),
         ]
     })
 }
 
-fn transitions(context: &Context<'_>) -> Table {
+fn transition_table(context: &Context<'_>, transitions: &[Transition]) -> Table {
     let titles = ["No.", "From", "To", "Set off by", "Axes", "Power", "What happens", "Source"];
-    Table::of(titles, &context.device.transitions, |transition| {
+    Table::of(titles, transitions, |transition| {
         [
             format!("**{}**", transition.number),
             from(context, transition),
@@ -154,10 +171,25 @@ fn cause(context: &Context<'_>, transition: &Transition) -> String {
 }
 
 fn effect(context: &Context<'_>, transition: &Transition) -> String {
-    let refused = (!transition.supported).then(|| "**not supported**".into());
-    let about = transition.about.iter().map(|about| context.prose(about));
-    let conditions =
-        transition.conditions.iter().map(|condition| format!("waits for: {}", context.prose(condition)));
-    let causes = transition.causes.iter().map(|cause| format!("set off by: {}", context.prose(cause)));
+    // What is left out has columns of its own.
+    let Transition {
+        supported,
+        about,
+        conditions,
+        causes,
+        number: _,
+        from: _,
+        to: _,
+        automatic: _,
+        pattern: _,
+        axes: _,
+        power: _,
+        source: _,
+        origin: _,
+    } = transition;
+    let refused = (!supported).then(|| "**not supported**".into());
+    let about = about.iter().map(|about| context.prose(about));
+    let conditions = conditions.iter().map(|condition| format!("waits for: {}", context.prose(condition)));
+    let causes = causes.iter().map(|cause| format!("set off by: {}", context.prose(cause)));
     refused.into_iter().chain(about).chain(conditions).chain(causes).collect::<Vec<_>>().join("<br>")
 }

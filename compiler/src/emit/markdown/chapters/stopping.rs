@@ -6,6 +6,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::list;
 use crate::emit::markdown::table::Table;
+use crate::model::StopOption;
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -13,13 +14,15 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = &'d [StopOption];
+
     const ID: &'static str = "stopping";
     const TITLE: &'static str = "Stopping";
     const TEMPLATE: &'static str = include_str!("../templates/stopping.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
+    fn view(context: &Context<'_>, options: Self::Parts<'_>) -> Option<Self> {
         let titles = ["What happens", "Transitions", "Reaction", "How it slows down", "Notes", "Source"];
-        let options = Table::of(titles, &context.device.stop_options, |option| {
+        let options = Table::of(titles, options, |option| {
             [
                 context.prose(&option.action),
                 list(option.transitions.iter().map(u8::to_string)),

@@ -7,7 +7,7 @@ use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::duration;
 use crate::emit::markdown::table::Table;
-use crate::model::{DeadTime, SyncMode, SyncSignal};
+use crate::model::{CycleTime, DeadTime, SyncMode, SyncSignal};
 
 /// The cycles that the dead time is worked out for.
 const EXAMPLES_NS: [u64; 2] = [1_000_000, 2_000_000];
@@ -28,21 +28,24 @@ struct DeadTimeView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = (&'d [SyncMode], &'d [CycleTime], Option<&'d DeadTime>);
+
     const ID: &'static str = "synchronisation";
     const TITLE: &'static str = "Synchronisation";
     const TEMPLATE: &'static str = include_str!("../templates/synchronisation.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let dead_time = context.device.dead_time.as_ref().map(|dead_time| dead_time_view(context, dead_time));
-        let view = Self { modes: modes(context), cycle_times: cycle_times(context), dead_time };
+    fn view(context: &Context<'_>, (sync_modes, times, dead_time): Self::Parts<'_>) -> Option<Self> {
+        let dead_time = dead_time.map(|dead_time| dead_time_view(context, dead_time));
+        let view =
+            Self { modes: modes(context, sync_modes), cycle_times: cycle_times(context, times), dead_time };
         let shown = !view.modes.is_empty() || !view.cycle_times.is_empty() || view.dead_time.is_some();
         shown.then_some(view)
     }
 }
 
-fn modes(context: &Context<'_>) -> Table {
+fn modes(context: &Context<'_>, sync_modes: &[SyncMode]) -> Table {
     let titles = ["Mode", "AssignActivate", "SYNC0", "SYNC1", "Notes", "Source"];
-    Table::of(titles, &context.device.sync_modes, |mode| {
+    Table::of(titles, sync_modes, |mode| {
         [
             name(mode),
             code(format!("0x{:04X}", mode.assign_activate)),
@@ -69,9 +72,9 @@ fn signal(signal: &SyncSignal) -> String {
     list([period].into_iter().chain(shift))
 }
 
-fn cycle_times(context: &Context<'_>) -> Table {
+fn cycle_times(context: &Context<'_>, times: &[CycleTime]) -> Table {
     let titles = ["Cycle time", "At least", "To choose from", "Notes", "Source"];
-    Table::of(titles, &context.device.cycle_times, |time| {
+    Table::of(titles, times, |time| {
         [
             text(&time.name),
             time.min_ns.map_or(String::new(), duration),

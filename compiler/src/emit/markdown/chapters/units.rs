@@ -15,11 +15,13 @@ pub(in crate::emit::markdown) struct View {
 }
 
 impl Chapter for View {
+    type Parts<'d> = &'d [Unit];
+
     const ID: &'static str = "units";
     const TITLE: &'static str = "Units and scaling";
     const TEMPLATE: &'static str = include_str!("../templates/units.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
+    fn view(context: &Context<'_>, all: Self::Parts<'_>) -> Option<Self> {
         let titles = [
             "Quantity",
             "Travels in",
@@ -32,7 +34,7 @@ impl Chapter for View {
             "Source",
         ];
         let mut units = Table::new(titles);
-        for unit in &context.device.units {
+        for unit in all {
             for (number, (axes, on_axis)) in groups(unit).into_iter().enumerate() {
                 units.row(row(context, unit, number == 0, &axes, on_axis));
             }

@@ -25,12 +25,14 @@ struct WordView {
 }
 
 impl Chapter for View {
+    type Parts<'d> = &'d [Word];
+
     const ID: &'static str = "words";
     const TITLE: &'static str = "Words";
     const TEMPLATE: &'static str = include_str!("../templates/words.md.j2");
 
-    fn view(context: &Context<'_>) -> Option<Self> {
-        let words: Vec<WordView> = context.device.words.iter().map(|word| word_view(context, word)).collect();
+    fn view(context: &Context<'_>, words: Self::Parts<'_>) -> Option<Self> {
+        let words: Vec<WordView> = words.iter().map(|word| word_view(context, word)).collect();
         (!words.is_empty()).then_some(Self { words })
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::emit::markdown::context::Context;
-use crate::model::{Index, Object, Source};
+use crate::model::{Area, Index, Object, Source};
 
 /// An area with what is in it.
 pub(super) struct Contents<'a> {
@@ -34,10 +34,10 @@ const STANDARD: [(u16, u16, &str); 4] = [
 ];
 
 /// The areas that are not empty, by index.
-pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Contents<'a>> {
+pub(super) fn areas<'a>(context: &Context<'a>, named: &'a [Area]) -> Vec<Contents<'a>> {
     let mut areas: Vec<Contents<'a>> = Vec::new();
     for object in context.leading_objects().filter(|object| !repeats_mapping(context, object)) {
-        let (first, name, about) = area_of(context, object.index);
+        let (first, name, about) = area_of(named, object.index);
         match areas.iter_mut().find(|area| area.first == first && area.name == name) {
             Some(area) => area.objects.push(object),
             None => areas.push(Contents { first, name, about, objects: vec![object] }),
@@ -46,8 +46,8 @@ pub(super) fn areas<'a>(context: &Context<'a>) -> Vec<Contents<'a>> {
     areas
 }
 
-fn area_of<'a>(context: &Context<'a>, index: Index) -> (u16, &'a str, Option<&'a str>) {
-    let named = context.device.areas.iter().find(|area| (area.first..=area.last).contains(&index));
+fn area_of(named: &[Area], index: Index) -> (u16, &str, Option<&str>) {
+    let named = named.iter().find(|area| (area.first..=area.last).contains(&index));
     if let Some(area) = named {
         return (area.first.0, &area.name, area.about.as_deref());
     }

@@ -104,8 +104,24 @@ struct Facts<'a> {
 }
 
 impl<'a> Facts<'a> {
+    /// The rest of an object stands in the table and in the lines of its entries.
     fn of_object(object: &'a Object) -> Self {
-        let Object { about, note, functional, parameter, .. } = object;
+        let Object {
+            about,
+            note,
+            functional,
+            parameter,
+            index: _,
+            id: _,
+            name: _,
+            kind: _,
+            axis: _,
+            category: _,
+            entries: _,
+            provenance: _,
+            source: _,
+            origin: _,
+        } = object;
         Self {
             about: about.as_deref(),
             note: note.as_deref(),
@@ -114,8 +130,31 @@ impl<'a> Facts<'a> {
         }
     }
 
+    /// The rest of an entry stands in the table; its values, its trigger and its source follow.
     fn of_entry(entry: &'a Entry) -> Self {
-        let Entry { about, note, functional, parameter, .. } = entry;
+        let Entry {
+            about,
+            note,
+            functional,
+            parameter,
+            address: _,
+            id: _,
+            name: _,
+            data_type: _,
+            type_provenance: _,
+            access: _,
+            pdo: _,
+            category: _,
+            unit: _,
+            default: _,
+            min: _,
+            max: _,
+            values: _,
+            written: _,
+            trigger: _,
+            source: _,
+            origin: _,
+        } = entry;
         Self {
             about: about.as_deref(),
             note: note.as_deref(),

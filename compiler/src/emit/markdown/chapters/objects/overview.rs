@@ -1,45 +1,59 @@
 //! The table of an area: a line for each value.
 
 use super::is_mapping;
+use super::marks::{Marks, demanded};
 use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Access, DataType, Entry, Kind, Mappable, Object, Value};
+use crate::model::{Access, Category, DataType, Entry, Kind, Mappable, Object, Value};
 
 /// The table as it grows. Subindex 0 of a record has a line only if it is not simply the highest subindex,
 /// and a mapping object has no lines for its entries.
 pub(super) struct Lines<'c, 'a> {
     context: &'c Context<'a>,
+    marks: Marks,
     pub(super) table: Table,
 }
 
 impl<'c, 'a> Lines<'c, 'a> {
-    /// No lines yet.
-    pub(super) fn new(context: &'c Context<'a>) -> Self {
-        let titles = ["Index", "Name", "Type", "Access", "PDO", "Default", "Unit", "Range", "Written in"];
-        Self { context, table: Table::new(titles) }
+    /// No lines yet of these objects.
+    pub(super) fn new(context: &'c Context<'a>, objects: &[&Object]) -> Self {
+        let titles =
+            ["Index", "Name", "Type", "Access", "PDO", "Default", "Unit", "Range", "Need", "Written in"];
+        Self { context, marks: Marks::new(context, objects), table: Table::new(titles) }
     }
 
     /// Adds the lines of an object, linked to what else there is to say of it if it is `described`.
     pub(super) fn object(&mut self, object: &Object, described: bool) {
         let index = self.index(object, described);
-        let name = format!("**{}**", text(&object.name));
+        let name = format!("**{}**{}", text(&object.name), self.marks.object(self.context, object));
         match object.entries.as_slice() {
-            [only] if is_single(object) => self.line([index, name], facts(self.context, only)),
+            [only] if is_single(object) => {
+                let need = demanded(object, only);
+                let facts = self.facts(only, need);
+                self.line([index, name], facts);
+            }
             entries => {
-                let mut head: [String; 7] = Default::default();
+                let mut head: [String; 8] = Default::default();
                 head[0] = kind(object.kind).into();
+                head[6] = self.marks.category(object.category);
                 self.line([index, name], head);
                 let shown = |entry: &&Entry| !is_mapping(self.context, object) && !is_count(object, entry);
                 for entry in entries.iter().filter(shown).collect::<Vec<_>>() {
                     let subindex = format!("&emsp;{}", code(format!(":{:02X}", entry.address.subindex)));
-                    self.line([subindex, text(&entry.name)], facts(self.context, entry));
+                    let facts = self.facts(entry, entry.category);
+                    self.line([subindex, text(&entry.name)], facts);
                 }
             }
         }
     }
 
-    fn line(&mut self, name: [String; 2], facts: [String; 7]) {
+    /// What the marks in the table mean.
+    pub(super) fn legend(&self) -> String {
+        self.marks.legend()
+    }
+
+    fn line(&mut self, name: [String; 2], facts: [String; 8]) {
         self.table.row(name.into_iter().chain(facts));
     }
 
@@ -51,6 +65,20 @@ impl<'c, 'a> Lines<'c, 'a> {
             false => format!("{}{label}", anchor(context.object_id(object))),
         }
     }
+
+    fn facts(&mut self, entry: &Entry, need: Category) -> [String; 8] {
+        let context = self.context;
+        [
+            format!("{}{}", entry.data_type, self.marks.data_type(entry.type_provenance)),
+            access(entry.access).into(),
+            mappable(entry.pdo).into(),
+            context.default(entry),
+            context.unit(entry),
+            context.range(entry),
+            self.marks.category(need),
+            entry.written.as_ref().map_or(String::new(), code),
+        ]
+    }
 }
 
 fn kind(kind: Kind) -> &'static str {
@@ -59,18 +87,6 @@ fn kind(kind: Kind) -> &'static str {
         Kind::Array => "*array*",
         Kind::Record => "*record*",
     }
-}
-
-fn facts(context: &Context<'_>, entry: &Entry) -> [String; 7] {
-    [
-        entry.data_type.to_string(),
-        access(entry.access).into(),
-        mappable(entry.pdo).into(),
-        context.default(entry),
-        context.unit(entry),
-        context.range(entry),
-        entry.written.as_ref().map_or(String::new(), code),
-    ]
 }
 
 /// Whether an entry is subindex 0 as it is in every record: the highest subindex, for reading.
