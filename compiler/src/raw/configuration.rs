@@ -8,6 +8,7 @@ use super::{Duration, RawMapped};
 
 /// `[configurations.<id>]`: what a master chooses before it goes to Safe-Operational.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawConfiguration {
     /// What it is good for.

@@ -6,6 +6,7 @@ use super::Hex;
 
 /// `[device]`: how the drive is named and grouped.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawHead {
     /// The name people order it by.
@@ -31,6 +32,7 @@ pub struct RawHead {
 
 /// `[family]`: what the members of a family have in common.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawFamily {
     /// The name of the family.
@@ -41,6 +43,7 @@ pub struct RawFamily {
 
 /// `[identity]`: what the identity object 0x1018 and the EEPROM say.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawIdentity {
     /// The vendor id that the ETG assigned.
@@ -55,6 +58,7 @@ pub struct RawIdentity {
 
 /// `[documents.<id>]`: a document that facts are taken from.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawDocument {
     /// Its title.
@@ -71,6 +75,7 @@ pub struct RawDocument {
 
 /// `[eeprom]`: the SII EEPROM.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawEeprom {
     /// Its size in bytes.
@@ -81,6 +86,7 @@ pub struct RawEeprom {
 
 /// `[axes]`: the axes of a device and how their objects are spaced.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawAxes {
     /// The names, in order.
@@ -99,6 +105,7 @@ pub struct RawAxes {
 
 /// A range of indices that exists once for each axis.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawShift {
     /// The indices of the first axis, as `"0x6000..=0x67FF"`.

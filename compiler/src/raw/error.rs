@@ -8,6 +8,7 @@ use super::RawField;
 
 /// `[errors.<code>]` or `[errors."<code>..=<code>"]`: an error code of object 0x603F.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawError {
     /// Its name.
@@ -25,6 +26,7 @@ pub struct RawError {
 
 /// `[vendor-codes.<code>]`: a code of the vendor's own system.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawVendorCode {
     /// Its name.

@@ -7,6 +7,7 @@ use serde::de::{self, Deserializer, MapAccess, Visitor};
 
 /// What every table may say of itself.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawFacts {
     /// Where its facts are from: a place in the first of `[documents]`, or `"<document>: <place>"`.
@@ -49,6 +50,7 @@ impl<'de> Deserialize<'de> for RawAssumed {
 
 /// `[[errata]]`: the answer to one finding of one rule.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawErratum {
     /// The rule that found it.
@@ -65,6 +67,7 @@ pub struct RawErratum {
 
 /// `[[remarks]]`: a weakness of the sources that no rule can see.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawRemark {
     /// What it is about, as an erratum would name it.
@@ -77,6 +80,7 @@ pub struct RawRemark {
 
 /// What is weak.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawRemarkKind {
     /// Two places disagree.

@@ -6,6 +6,7 @@ use super::Literal;
 
 /// `[leds.<id>]`: a light.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawLed {
     /// What is printed beside it.
@@ -21,6 +22,7 @@ pub struct RawLed {
 
 /// What a light does, and what it means by that.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawLedPattern {
     /// What it does: `off`, `on`, `blinking`, `single flash` ...
@@ -31,6 +33,7 @@ pub struct RawLedPattern {
 
 /// `[connectors.<id>]`: a socket.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawConnector {
     /// What is printed beside it.
@@ -43,6 +46,7 @@ pub struct RawConnector {
 
 /// `[[master-settings]]`: something to be set in the master.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawMasterSetting {
     /// What.
@@ -58,6 +62,7 @@ pub struct RawMasterSetting {
 
 /// `[procedures.<id>]`: things to do in order.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawProcedure {
     /// What it achieves.
@@ -70,6 +75,7 @@ pub struct RawProcedure {
 
 /// A step of a procedure.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawStep {
     /// What to do.
@@ -82,6 +88,7 @@ pub struct RawStep {
 
 /// `[limits.<id>]`: a figure that the device keeps to or asks for.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawLimit {
     /// What is limited.

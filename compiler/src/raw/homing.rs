@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 /// `[homing-methods.<number>]`: a way to find the reference position, by its number in 0x6098.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawHomingMethod {
     /// Its name.
@@ -35,6 +36,7 @@ pub struct RawHomingMethod {
 
 /// A direction of movement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawDirection {
     /// Towards greater positions.
@@ -45,6 +47,7 @@ pub enum RawDirection {
 
 /// What happens in one of several cases.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawAlternative {
     /// The case.

@@ -18,6 +18,8 @@ mod parameter;
 mod pdo;
 mod read;
 mod register;
+#[cfg(feature = "schema")]
+pub mod schema;
 mod state;
 mod timing;
 mod unit;
@@ -141,6 +143,7 @@ pub struct RawDevice {
 
 /// `[areas."<index>..=<index>"]`: a title for a range of the dictionary.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawArea {
     /// The title.

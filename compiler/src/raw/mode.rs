@@ -8,6 +8,7 @@ use super::RawField;
 
 /// `[modes.<code>]`: a mode of operation by its code in 0x6060.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawMode {
     /// The word for it, such as `csp`.
@@ -46,6 +47,7 @@ pub struct RawMode {
 
 /// A command of the motion core that a mode runs.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawMotionCommand {
     /// Its number.
@@ -65,6 +67,7 @@ pub struct RawMotionCommand {
 
 /// `[[mode-changes]]`: a change of mode that the device knows.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawModeChange {
     /// The modes before; any if absent.
@@ -83,6 +86,7 @@ pub struct RawModeChange {
 
 /// `[[stop-options]]`: what stops the drive, and how.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawStopOption {
     /// What happens to the drive.

@@ -6,9 +6,10 @@ use serde::Deserialize;
 
 use super::{Literal, RawField};
 
-/// `[objects.<index>]`: what makes it an object. What its value is stands in the same table, as a
-/// [`RawEntry`].
+/// `[objects.<index>]`: an object of the dictionary. The keys from `name` on say what its value is; the tables
+/// in `entries` have them, too.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawObject {
     /// The word by which the rest of the description refers to it; made from the name if absent.
@@ -35,6 +36,7 @@ impl<'de> Deserialize<'de> for Ignored {
 
 /// What an object is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawKind {
     /// One value at subindex 0.
@@ -47,6 +49,7 @@ pub enum RawKind {
 
 /// A value that an index and a subindex name.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawEntry {
     /// Its name.
@@ -87,6 +90,7 @@ pub struct RawEntry {
 
 /// What writing a value sets off.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawTrigger {
     /// The value to write.
@@ -105,6 +109,7 @@ pub struct RawTrigger {
 
 /// Who may read and write a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawAccess {
     /// Read only.
@@ -119,6 +124,7 @@ pub enum RawAccess {
 
 /// The process data a value can be mapped to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawMappable {
     /// None.
@@ -133,6 +139,7 @@ pub enum RawMappable {
 
 /// Whether a profile demands an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawCategory {
     /// Always.

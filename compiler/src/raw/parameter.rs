@@ -9,6 +9,7 @@ use super::{Literal, RawField};
 
 /// `[parameters.<id>]`: a setting of the device by the vendor's own name for it.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawParameter {
     /// Its name.
@@ -31,6 +32,7 @@ pub struct RawParameter {
 /// `[coordinates]`: how the vendor's parameters lie in the dictionary. `E200[0]` is line 200 of group E,
 /// element 0; its index is `base + group number × group-size + line`.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawCoordinates {
     /// The index of the first line of group number 0.
@@ -50,6 +52,7 @@ pub struct RawCoordinates {
 
 /// A group of parameters.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawGroup {
     /// What its parameters are about.

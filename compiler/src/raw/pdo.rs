@@ -7,6 +7,7 @@ use super::decode::shorthand;
 
 /// `[rx-pdos.<index>]`, `[tx-pdos.<index>]`: a process data object.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawPdo {
     /// Its name.
@@ -39,6 +40,8 @@ pub struct RawPdo {
 
 /// An entry of a PDO: a reference such as `"controlword"` or `"0x6040:00"`, or a table.
 #[derive(Debug, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(transform = super::schema::or_text))]
 pub struct RawMapped {
     /// The object or entry; none for padding.
     pub entry: Option<String>,
@@ -66,6 +69,7 @@ impl<'de> Deserialize<'de> for RawMapped {
 
 /// `[sync-managers.<role>]`: a memory area of the EtherCAT slave controller.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawSyncManager {
     /// The first byte of the area.
@@ -85,6 +89,7 @@ pub struct RawSyncManager {
 
 /// `[mailbox]`: what the mailbox can do.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawMailbox {
     /// The protocols: `CoE`, `EoE`, `FoE`, `SoE`, `VoE`.

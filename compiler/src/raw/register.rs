@@ -9,6 +9,7 @@ use super::RawField;
 
 /// `[registers.<address>]`: a register of the EtherCAT slave controller.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawRegister {
     /// Its name.
@@ -28,6 +29,7 @@ pub struct RawRegister {
 
 /// What one side may do with a register.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawRegisterAccess {
     /// Nothing.
@@ -43,6 +45,7 @@ pub enum RawRegisterAccess {
 
 /// `[al-status-codes.<code>]`: why the device refused or left an EtherCAT state.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawAlStatusCode {
     /// What it says.
@@ -59,6 +62,7 @@ pub struct RawAlStatusCode {
 
 /// `[telegrams.<id>]`: the bytes of a message.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawTelegram {
     /// Its name.

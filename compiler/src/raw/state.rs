@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 /// `[states.<id>]`: a state of the drive.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawState {
     /// Its name.
@@ -32,6 +33,7 @@ pub struct RawState {
 
 /// Yes, no, or on a condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawAnswer {
     /// Yes.
@@ -44,6 +46,7 @@ pub enum RawAnswer {
 
 /// `[commands.<id>]`: what a pattern of the controlword asks for.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawCommand {
     /// Its name.
@@ -63,6 +66,7 @@ pub struct RawCommand {
 
 /// `[transitions.<number>]`: a change of state.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawTransition {
     /// The state before; none for the start, or if it can come from several.
@@ -92,6 +96,7 @@ pub struct RawTransition {
 
 /// How many axes must make a transition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawScope {
     /// Every one.
@@ -102,6 +107,7 @@ pub enum RawScope {
 
 /// `[communication-states.<id>]`: a state of the EtherCAT state machine.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawCommunicationState {
     /// Its name.
@@ -114,6 +120,7 @@ pub struct RawCommunicationState {
 
 /// `[communication-transitions.<id>]`: a change of the EtherCAT state, named by two letters such as `PS`.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawCommunicationTransition {
     /// The state before.

@@ -6,6 +6,7 @@ use super::Duration;
 
 /// `[sync-modes.<id>]`: a way to keep time with the master.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawSyncMode {
     /// Its name.
@@ -25,6 +26,7 @@ pub struct RawSyncMode {
 
 /// A signal of the distributed clocks.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawSyncSignal {
     /// Its period in cycles of the master.
@@ -35,6 +37,7 @@ pub struct RawSyncSignal {
 
 /// `[cycle-times.<id>]`: how often set values may come.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawCycleTime {
     /// What the limit holds for.
@@ -50,6 +53,7 @@ pub struct RawCycleTime {
 
 /// `[dead-time]`: the time from a set value to its effect.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawDeadTime {
     /// How many cycles of the master it takes.

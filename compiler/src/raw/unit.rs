@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 /// `[units.<id>]`: what a raw number means.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawUnit {
     /// The physical quantity, such as `position`.
@@ -27,6 +28,7 @@ pub struct RawUnit {
 
 /// How a value travels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RawPath {
     /// In process data.
@@ -37,6 +39,7 @@ pub enum RawPath {
 
 /// What differs on an axis.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawAxisUnit {
     /// The unit of the scaled value.

@@ -9,6 +9,7 @@ use super::decode::shorthand;
 
 /// `[words.<id>]`: the bits of an object.
 #[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawWord {
     /// The object or entry whose bits these are; the id is its name if absent.
@@ -24,8 +25,10 @@ pub struct RawWord {
 
 /// A bit, a group of bits, or a single value: its name alone, or a table.
 #[derive(Debug, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename_all = "kebab-case", transform = super::schema::or_text))]
 pub struct RawField {
-    /// Its name.
+    /// Its name; only what is `reserved` or `per-mode` can do without.
     pub name: String,
     /// What it says or does.
     pub about: Option<String>,

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
-use crate::emit::markdown::inline::{anchor, code, list, text};
+use crate::emit::markdown::inline::{anchor, code, list, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{HomingMethod, Way};
 
@@ -101,9 +101,15 @@ fn steps(context: &Context<'_>, method: &HomingMethod) -> StepsView {
     let prose = |steps: &[String]| steps.iter().map(|step| context.prose(step)).collect();
     let main = CaseView { when: String::new(), steps: prose(&method.steps) };
     let others = method.alternatives.iter();
-    let others = others.map(|one| CaseView { when: context.prose(&one.when), steps: prose(&one.steps) });
+    let others =
+        others.map(|one| CaseView { when: opening(&context.prose(&one.when)), steps: prose(&one.steps) });
     StepsView {
         title: format!("{} {}", method.number, text(&method.name)),
         cases: [main].into_iter().chain(others).filter(|one| !one.steps.is_empty()).collect(),
     }
+}
+
+/// The words that lead up to a list, with a capital at their front.
+fn opening(words: &str) -> String {
+    sentence(words).trim_end_matches('.').to_owned()
 }

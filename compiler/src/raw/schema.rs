@@ -1,0 +1,95 @@
+//! The format as a JSON schema, for completion in an editor, and as a reference for people: both come from the
+//! structs that descriptions are read into, and from their documentation.
+
+mod literal;
+mod reference;
+mod section;
+mod tidy;
+
+use schemars::SchemaGenerator;
+use schemars::generate::SchemaSettings;
+use serde_json::{Map, Value, json};
+
+pub use reference::reference;
+pub(super) use tidy::or_text;
+
+use section::{SECTIONS, Section};
+
+/// The address by which the schema names itself.
+const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
+
+/// The JSON schema of a file of a description.
+///
+/// Sections may lie in several files, and a profile, the family or another member may have stated what a table
+/// leaves out: so no section and no key is demanded.
+pub fn schema() -> String {
+    let mut generator = generator();
+    let mut tables: Map<String, Value> =
+        SECTIONS.iter().map(|section| (section.name.into(), section.schema(&mut generator))).collect();
+    let sections: Map<String, Value> = tables.keys().map(|name| (name.clone(), reference_to(name))).collect();
+    tables.insert("members".into(), member(&sections));
+    let keys = sections.into_iter().chain(file_keys(&mut generator));
+    let keys: Map<String, Value> = keys.collect();
+    tables.extend(generator.take_definitions(false));
+    let mut root = json!({
+        "$schema": DIALECT,
+        "title": "devc description",
+        "description": "A file of a device description.",
+        "type": "object",
+        "properties": keys,
+        "$defs": tables,
+    });
+    tidy::tidy(&mut root);
+    format!("{root:#}\n")
+}
+
+fn generator() -> SchemaGenerator {
+    SchemaSettings::draft2020_12().for_deserialize().into_generator()
+}
+
+fn reference_to(definition: &str) -> Value {
+    json!({ "$ref": format!("#/$defs/{definition}") })
+}
+
+/// The schema of a member: all sections, and two keys of its own.
+fn member(sections: &Map<String, Value>) -> Value {
+    let mut keys = sections.clone();
+    keys.insert("like".into(), text("Another member that this one is laid over."));
+    keys.insert("without".into(), texts(WITHOUT));
+    json!({
+        "type": "object",
+        "description": "What a member has of its own: any section, laid over that of the family.",
+        "properties": keys,
+    })
+}
+
+const WITHOUT: &str = "Paths of what is taken out, such as `objects.0x6098`.";
+
+/// The keys that a file has besides the sections of a device.
+fn file_keys(generator: &mut SchemaGenerator) -> Map<String, Value> {
+    let members = json!({
+        "type": "object",
+        "description": "The members of the family by name.",
+        "additionalProperties": reference_to("members"),
+    });
+    let keys = [
+        ("include", texts("Other files of the description, relative to this one.")),
+        (
+            "profiles",
+            texts("Profiles whose objects, words and states can be referred to: `ethercat`, `cia402`."),
+        ),
+        ("source", text("Where the facts of this file are from, unless a table says otherwise.")),
+        ("without", texts(WITHOUT)),
+        ("family", Section::FAMILY.schema(generator)),
+        ("members", members),
+    ];
+    keys.into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()
+}
+
+fn text(about: &str) -> Value {
+    json!({ "type": "string", "description": about })
+}
+
+fn texts(about: &str) -> Value {
+    json!({ "type": "array", "items": { "type": "string" }, "description": about })
+}
