@@ -1,5 +1,7 @@
 //! The Rust that devc generates: as text and through the derive, against the manual, and as a user's build sees it.
 
+#![cfg(test)]
+
 mod c887;
 mod dictionary;
 mod pdos;
