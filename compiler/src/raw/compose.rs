@@ -41,31 +41,21 @@ fn section_over(entities: &Table, base: &Member) -> Table {
     Table { at: entities.at, members }
 }
 
-/// The tree without what stands at `path`, and whether there was anything.
-pub(super) fn without(table: &Table, path: &str) -> (Table, bool) {
+/// Takes out what stands at `path`, and says whether there was anything.
+pub(super) fn take_out(table: &mut Table, path: &str) -> bool {
     let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
-    let mut found = false;
-    let members = table
-        .members
-        .iter()
-        .filter_map(|member| {
-            let inner = member.node.table();
-            match (rest, inner) {
-                _ if normal(&member.key.name) != normal(first) => Some(member.clone()),
-                (None, _) => {
-                    found = true;
-                    None
-                }
-                (Some(rest), Some(inner)) => {
-                    let (inner, hit) = without(inner, rest);
-                    found |= hit;
-                    Some(with(member, inner))
-                }
-                (Some(_), None) => Some(member.clone()),
-            }
-        })
-        .collect();
-    (Table { at: table.at, members }, found)
+    let Some(place) = table.members.iter().position(|member| member.key.name.eq_ignore_ascii_case(first))
+    else {
+        return false;
+    };
+    let Some(rest) = rest else {
+        table.members.remove(place);
+        return true;
+    };
+    match table.members.get_mut(place).map(|member| &mut member.node.value) {
+        Some(Value::Table(inner)) => take_out(Arc::make_mut(inner), rest),
+        _ => false,
+    }
 }
 
 fn with(member: &Member, table: Table) -> Member {

@@ -83,9 +83,7 @@ fn strip(mut tree: Table, lists: &[Node], diagnostics: &mut Diagnostics) -> Tabl
                 diagnostics.push(wrong_type(path, "a path such as \"objects.0x6098\""));
                 continue;
             };
-            let (rest, found) = compose::without(&tree, text);
-            tree = rest;
-            if !found {
+            if !compose::take_out(&mut tree, text) {
                 let message = format!("nothing stands at `{text}`");
                 let label = "cannot be left out";
                 diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, path.at, label));

@@ -29,17 +29,16 @@ pub(super) fn dictionary(
         objects.push(types(basis));
         objects.extend(basis.sync_managers.iter().filter_map(|manager| assignment(manager, basis)));
     }
+    objects.sort_by_key(|object| object.index);
     for (index, overlay) in overlays {
-        match objects.iter_mut().find(|object| object.index == index) {
-            Some(object) => overlay::apply(context, object, overlay),
-            None => {
-                let mut object = empty_assignment(index, overlay.object.origin.clone());
-                overlay::apply(context, &mut object, overlay);
-                objects.push(object);
-            }
+        let place = objects.binary_search_by_key(&index, |object| object.index).unwrap_or_else(|place| {
+            objects.insert(place, empty_assignment(index, overlay.object.origin.clone()));
+            place
+        });
+        if let Some(object) = objects.get_mut(place) {
+            overlay::apply(context, object, overlay);
         }
     }
-    objects.sort_by_key(|object| object.index);
     objects
 }
 

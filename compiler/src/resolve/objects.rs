@@ -36,6 +36,12 @@ pub(super) fn objects(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Desc
     described
 }
 
+/// The object of this index, among objects in the order of their indices.
+pub(super) fn at(objects: &[Object], index: Index) -> Option<&Object> {
+    let place = objects.binary_search_by_key(&index, |object| object.index).ok()?;
+    objects.get(place)
+}
+
 /// Whether devc makes the object from PDOs and sync managers.
 fn is_made(index: Index) -> bool {
     matches!(index.0, 0x1600..=0x17FF | 0x1A00..=0x1C00 | 0x1C10..=0x1C13)

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::context::Context;
 use super::objects::sibling_id;
-use super::{facts, names};
+use super::{facts, names, objects};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Address, Direction, Index, Mapped, Object, Pdo};
 use crate::raw::{Entity, RawMapped, RawPdo};
@@ -224,7 +224,7 @@ fn one(
             // Once is enough: what is not there on the first axis is not there on the others.
             if let Some(address) = context.address(text, at)
                 && axis.is_none_or(|axis| axis == 0)
-                && let Some(object) = objects.iter().find(|object| object.index == address.index)
+                && let Some(object) = objects::at(objects, address.index)
             {
                 context.no_entry(object, address, at);
             }
@@ -234,8 +234,7 @@ fn one(
 }
 
 fn find(objects: &[Object], address: Address) -> Option<(&Object, &crate::model::Entry)> {
-    let place = objects.binary_search_by_key(&address.index, |object| object.index).ok()?;
-    let object = objects.get(place)?;
+    let object = objects::at(objects, address.index)?;
     object.entry(address.subindex).map(|entry| (object, entry))
 }
 

@@ -4,6 +4,7 @@
 //! is written after what it counts. What the mailbox does not let a master write is not in it.
 
 use super::context::Context;
+use super::objects;
 use crate::model::{Address, Configuration, Direction, Index, Mailbox, Mapped, Object, Pdo, SdoWrite};
 
 const OUTPUTS: Index = Index(0x1C12);
@@ -41,7 +42,7 @@ pub(super) fn startup(
 fn on_axis(context: &Context<'_>, objects: &[Object], text: &str, axis: u8) -> Option<Index> {
     let address = context.names.find(text).ok()?;
     let index = context.on_axis(address, Some(axis)).index;
-    objects.iter().any(|object| object.index == index && object.functional).then_some(index)
+    objects::at(objects, index).filter(|object| object.functional).map(|object| object.index)
 }
 
 fn of(configuration: &Configuration, direction: Direction) -> impl Iterator<Item = &Pdo> {

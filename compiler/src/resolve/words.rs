@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::context::Context;
 use super::objects::sibling_id;
-use super::{facts, keys, values};
+use super::{facts, keys, objects, values};
 use crate::model::{Field, Object, Word};
 use crate::raw::{Entity, RawField, RawWord};
 use crate::source::Origin;
@@ -18,7 +18,7 @@ fn word(context: &mut Context<'_>, entity: Entity<RawWord>, objects: &[Object]) 
     let Entity { key, origin, raw, facts } = entity;
     let object = raw.object.as_deref().unwrap_or(&key);
     let address = context.address(object, origin.value("object"))?;
-    let found = objects.iter().find(|object| object.index == address.index)?;
+    let found = objects::at(objects, address.index)?;
     let Some(entry) = found.entry(address.subindex) else {
         context.no_entry(found, address, origin.value("object"));
         return None;

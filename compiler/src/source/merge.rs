@@ -1,5 +1,6 @@
 //! Several files of one description into one table.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{Key, Member, Node, Table, Value};
@@ -21,9 +22,11 @@ fn join(first: &mut Member, second: Member, diagnostics: &mut Diagnostics) {
     match (&mut first.node.value, second.node.value) {
         (Value::Table(first), Value::Table(second)) => {
             let first = Arc::make_mut(first);
+            let keys = first.members.iter().map(|member| (member.key.name.clone(), member.key.clone()));
+            let known: BTreeMap<Arc<str>, Key> = keys.collect();
             for member in second.members.iter().cloned() {
-                match first.get(&member.key.name) {
-                    Some(other) => diagnostics.push(twice(&other.key, &member.key)),
+                match known.get(&member.key.name) {
+                    Some(other) => diagnostics.push(twice(other, &member.key)),
                     None => first.members.push(member),
                 }
             }

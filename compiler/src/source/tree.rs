@@ -3,6 +3,7 @@
 //! The tree is shared, not copied: laying a table over another makes a new list of members that point
 //! at the same nodes. So each value still knows the file that really set it, however many layers there are.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Location;
@@ -100,13 +101,13 @@ impl Table {
     /// Members keep the order of `base`, what only this table has follows; the place of the whole is this
     /// table's.
     pub fn over(&self, base: &Table) -> Table {
-        let mut members: Vec<Member> = base.members.clone();
-        for upper in &self.members {
-            match members.iter_mut().find(|lower| lower.key.name == upper.key.name) {
-                Some(lower) => *lower = upper.over(lower),
-                None => members.push(upper.clone()),
-            }
-        }
+        let mut own: BTreeMap<&str, &Member> =
+            self.members.iter().map(|member| (&*member.key.name, member)).collect();
+        let mut laid = |lower: &Member| {
+            own.remove(&*lower.key.name).map_or_else(|| lower.clone(), |upper| upper.over(lower))
+        };
+        let mut members: Vec<Member> = base.members.iter().map(&mut laid).collect();
+        members.extend(self.members.iter().filter(|member| own.contains_key(&*member.key.name)).cloned());
         Table { at: self.at, members }
     }
 }
