@@ -45,9 +45,13 @@ pub fn module(family: &Checked<Family>, name: &proc_macro2::Ident, options: &Opt
     pretty(quote!(pub mod #name { #content }))
 }
 
-/// Formatted code with empty lines between items. What is no Rust comes out as it is; [`tokens`] makes none.
+/// Formatted code with empty lines between items. What is no Rust becomes a message of the compiler; [`tokens`]
+/// makes none.
 fn pretty(tokens: TokenStream) -> String {
-    let Ok(mut file) = syn::parse2::<syn::File>(tokens.clone()) else { return tokens.to_string() };
+    let mut file: syn::File = match syn::parse2(tokens) {
+        Ok(file) => file,
+        Err(error) => return error.to_compile_error().to_string(),
+    };
     spread(&mut file.items);
     let printed = prettyplease::unparse(&file);
     let lines = printed.lines().map(|line| if line.trim() == EMPTY_LINE { "" } else { line });
@@ -56,6 +60,9 @@ fn pretty(tokens: TokenStream) -> String {
 
 /// Puts an empty line between items, in modules too.
 fn spread(items: &mut Vec<Item>) {
+    let empty_line: Item = parse_quote!(
+        const EMPTY_LINE: () = ();
+    );
     let mut apart = Vec::with_capacity(items.len() * 2);
     for mut item in items.drain(..) {
         match &mut item {
@@ -68,9 +75,7 @@ fn spread(items: &mut Vec<Item>) {
             _ => {}
         }
         if apart.last().is_some_and(|last| !is_close(last, &item)) {
-            apart.push(parse_quote!(
-                const EMPTY_LINE: () = ();
-            ));
+            apart.push(empty_line.clone());
         }
         apart.push(item);
     }
@@ -91,6 +96,9 @@ fn is_close(a: &Item, b: &Item) -> bool {
 }
 
 fn spread_impl(items: &mut Vec<syn::ImplItem>) {
+    let empty_line: syn::ImplItem = parse_quote!(
+        const EMPTY_LINE: () = ();
+    );
     let is_const = |item: &syn::ImplItem| matches!(item, syn::ImplItem::Const(item) if item.attrs.is_empty());
     let is_type = |item: &syn::ImplItem| matches!(item, syn::ImplItem::Type(_));
     let mut apart: Vec<syn::ImplItem> = Vec::with_capacity(items.len() * 2);
@@ -98,9 +106,7 @@ fn spread_impl(items: &mut Vec<syn::ImplItem>) {
         let is_close =
             |last: &syn::ImplItem| is_const(last) && is_const(&item) || is_type(last) && is_type(&item);
         if apart.last().is_some_and(|last| !is_close(last)) {
-            apart.push(parse_quote!(
-                const EMPTY_LINE: () = ();
-            ));
+            apart.push(empty_line.clone());
         }
         apart.push(item);
     }

@@ -7,10 +7,10 @@ use quote::{format_ident, quote};
 
 use super::literal;
 use super::names::{Names, camel};
-use crate::model::{Address, DataType, Device, Entry, Index, Meaning, Object};
+use crate::model::{Address, DataType, Device, Entry, Index, Object};
 
 /// A type of Rust that holds a value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Primitive {
     Bool,
     Signed(u8),
@@ -120,7 +120,12 @@ pub(super) struct Types<'a> {
     /// The addresses of words: bits have no sign, whatever the manual calls their type.
     words: Vec<Address>,
     pub(super) codes: Vec<Code<'a>>,
+    /// The name of each of these, by what it is and what its values mean.
+    known: BTreeMap<(Primitive, &'a str, Meanings<'a>), Ident>,
 }
+
+/// Values with the words for them.
+type Meanings<'a> = Vec<(i64, &'a str)>;
 
 impl<'a> Types<'a> {
     /// The types of a device's entries; those of axes are found by the address on the first.
@@ -152,17 +157,17 @@ impl<'a> Types<'a> {
         {
             return;
         }
-        let same = |code: &&Code<'_>| {
-            code.primitive == primitive && code.entry.id == entry.id && means(code.entry, &entry.values)
-        };
-        if let Some(code) = self.codes.iter().find(same) {
-            self.newtypes.insert(entry.address, code.name.clone());
+        let meanings = entry.values.iter().map(|meaning| (meaning.value, meaning.id.as_str())).collect();
+        let what = (primitive, entry.id.as_str(), meanings);
+        if let Some(name) = self.known.get(&what) {
+            self.newtypes.insert(entry.address, name.clone());
             return;
         }
         let short = camel(&entry.id);
         let long = camel(&format!("{}-{}", object.id, entry.id));
         let name = names.claim(if names.has(&short) { &long } else { &short });
         self.newtypes.insert(entry.address, name.clone());
+        self.known.insert(what, name.clone());
         self.codes.push(Code { name, primitive, entry });
     }
 
@@ -187,9 +192,4 @@ impl<'a> Types<'a> {
 /// Subindex 0 of an object.
 pub(super) fn address(index: u16) -> Address {
     Address { index: Index(index), subindex: 0 }
-}
-
-fn means(entry: &Entry, values: &[Meaning]) -> bool {
-    let said = |value: &Meaning| (value.value, value.id.clone());
-    entry.values.iter().map(said).eq(values.iter().map(said))
 }
