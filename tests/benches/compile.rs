@@ -15,10 +15,10 @@ use std::ffi::OsString;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use std::{env, fs};
 
-use measure::{Fallible, instructions, median, ms, run, wall};
+use measure::{Fallible, instructions, run};
 
 const ROUNDS: usize = 21;
 
@@ -27,7 +27,7 @@ fn main() -> Fallible<()> {
     match arguments.iter().map(|argument| argument.to_str()).collect::<Vec<_>>()[..] {
         [Some("nothing")] => Ok(()),
         [Some("plain"), Some(outputs), Some(target), ..] => {
-            plain(Path::new(outputs), Path::new(target), &arguments[3..])
+            plain(Path::new(outputs), Path::new(target), arguments.get(3..).unwrap_or_default())
         }
         [Some(rounds)] => bench(rounds.parse()?),
         _ => bench(ROUNDS),
@@ -163,4 +163,22 @@ fn devc() -> Fallible<PathBuf> {
     let own = env::current_exe()?;
     let folder = own.parent().and_then(Path::parent).ok_or("the benchmark lies in no target folder")?;
     Ok(folder.join("devc").with_extension(env::consts::EXE_EXTENSION))
+}
+
+/// From the start of a process to its end.
+fn wall(command: &mut Command) -> Fallible<Duration> {
+    let start = Instant::now();
+    run(command)?;
+    Ok(start.elapsed())
+}
+
+/// The middle one.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Milliseconds.
+fn ms(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
 }

@@ -1,12 +1,10 @@
-//! How whole processes are measured: their wall time against that of others in the same round, and the
-//! instructions that they execute, which do not depend on what else the machine does.
+//! What whole processes cost in instructions, which do not depend on what else the machine does.
 
 use std::error::Error;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::process::{Command, Output};
-use std::time::{Duration, Instant};
 
 /// What can go wrong with a measurement.
 pub(crate) type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -18,13 +16,6 @@ pub(crate) fn run(command: &mut Command) -> Fallible<Output> {
         return Ok(output);
     }
     Err(format!("{command:?}: {}\n{}", output.status, String::from_utf8_lossy(&output.stderr)).into())
-}
-
-/// From the start of a process to its end.
-pub(crate) fn wall(command: &mut Command) -> Fallible<Duration> {
-    let start = Instant::now();
-    run(command)?;
-    Ok(start.elapsed())
 }
 
 /// The instructions of a process, in parts that end whenever it enters the function `ends`; none without valgrind.
@@ -57,15 +48,4 @@ fn parts(folder: &Path) -> Fallible<Vec<u64>> {
         sums.push(sum.ok_or_else(|| format!("{} has no sum", path.display()))?.trim().parse()?);
     }
     Ok(sums)
-}
-
-/// The middle one.
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
-/// Milliseconds.
-pub(crate) fn ms(time: Duration) -> f64 {
-    time.as_secs_f64() * 1e3
 }
