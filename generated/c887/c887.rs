@@ -47,7 +47,6 @@ use ::devc_runtime::cia402::{
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-use ::devc_runtime::unit::Scale;
 
 /// The C-887.53x.
 ///
@@ -2475,53 +2474,76 @@ impl core::fmt::Display for ErrorCode {
     }
 }
 
-/// What raw values mean.
+/// What raw values mean, and how to come from physical values to raw ones.
 pub mod units {
     use super::*;
+    use ::devc_runtime::unit::{
+        Acceleration, Angle, AngularAcceleration, AngularVelocity, Length, Unit, Velocity,
+    };
 
-    /// Position in process data, in mm or deg ÷ 100000.
+    /// Position in process data of X, Y, Z: a step is 1/100000 mm.
     ///
     /// The device holds the factor in 0x6093:00.
     ///
     /// Source: p. 14.
-    pub const POSITION: Scale = Scale::of::<1, 100_000>();
+    pub const POSITION_MM: Unit<C887, Length> = Unit::of::<10, 1>();
 
-    /// Velocity in process data, in mm/s or deg/s ÷ 100000.
+    /// Position in process data of U, V, W: a step is 1/100000 deg.
     ///
     /// The device holds the factor in 0x6093:00.
     ///
     /// Source: p. 14.
-    pub const VELOCITY: Scale = Scale::of::<1, 100_000>();
+    pub const POSITION_DEG: Unit<C887, Angle> = Unit::of::<10_000, 1>();
 
-    /// Position in SDOs, in µm.
+    /// Velocity in process data of X, Y, Z: a step is 1/100000 mm/s.
+    ///
+    /// The device holds the factor in 0x6093:00.
+    ///
+    /// Source: p. 14.
+    pub const VELOCITY_MM_PER_S: Unit<C887, Velocity> = Unit::of::<10, 1>();
+
+    /// Velocity in process data of U, V, W: a step is 1/100000 deg/s.
+    ///
+    /// The device holds the factor in 0x6093:00.
+    ///
+    /// Source: p. 14.
+    pub const VELOCITY_DEG_PER_S: Unit<C887, AngularVelocity> = Unit::of::<10_000, 1>();
+
+    /// Position in SDOs: a step is 1 µm.
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_LENGTH: Scale = Scale::of::<1, 1>();
+    pub const SDO_LENGTH: Unit<C887, Length> = Unit::of::<1_000, 1>();
 
-    /// Angle in SDOs, in deg ÷ 1000.
+    /// Angle in SDOs: a step is 1/1000 deg.
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_ANGLE: Scale = Scale::of::<1, 1_000>();
+    pub const SDO_ANGLE: Unit<C887, Angle> = Unit::of::<1_000_000, 1>();
 
-    /// Velocity in SDOs, in µm/s.
+    /// Velocity in SDOs: a step is 1 µm/s.
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_VELOCITY: Scale = Scale::of::<1, 1>();
+    pub const SDO_VELOCITY: Unit<C887, Velocity> = Unit::of::<1_000, 1>();
 
-    /// Angular velocity in SDOs, in deg/s ÷ 1000.
+    /// Angular velocity in SDOs: a step is 1/1000 deg/s.
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_ANGULAR_VELOCITY: Scale = Scale::of::<1, 1_000>();
+    pub const SDO_ANGULAR_VELOCITY: Unit<C887, AngularVelocity> = Unit::of::<
+        1_000_000,
+        1,
+    >();
 
-    /// Acceleration in SDOs, in µm/s².
+    /// Acceleration in SDOs: a step is 1 µm/s².
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_ACCELERATION: Scale = Scale::of::<1, 1>();
+    pub const SDO_ACCELERATION: Unit<C887, Acceleration> = Unit::of::<1_000, 1>();
 
-    /// Angular acceleration in SDOs, in deg/s² ÷ 1000.
+    /// Angular acceleration in SDOs: a step is 1/1000 deg/s².
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_ANGULAR_ACCELERATION: Scale = Scale::of::<1, 1_000>();
+    pub const SDO_ANGULAR_ACCELERATION: Unit<C887, AngularAcceleration> = Unit::of::<
+        1_000_000,
+        1,
+    >();
 }
 
 /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.

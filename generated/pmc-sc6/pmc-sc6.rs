@@ -38,7 +38,6 @@ pub mod double {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The PMC SC6/SI6 double-axis, CiA 402.
     ///
@@ -3294,11 +3293,12 @@ pub mod double {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::{Angle, Scale, Unit};
 
-        /// Position, in deg × 45 ÷ 131072.
+        /// Position: a step is 45/131072 deg.
         ///
         /// Increments, 2²⁰ to a revolution of the motor shaft as long as the feed constant has its preset. No
         /// decimals: I06 stays 0.
@@ -3306,9 +3306,9 @@ pub mod double {
         /// The device holds the factor in 0x6092:00.
         ///
         /// Source: 5.1.4.2.2, 5.2.7.1.
-        pub const POSITION: Scale = Scale::of::<45, 131_072>();
+        pub const POSITION: Unit<Double, Angle> = Unit::of::<87_890_625, 256>();
 
-        /// Velocity, in inc/s / 10^A310.
+        /// Velocity: a step is 1 inc/s / 10^A310.
         ///
         /// The parameter A310 is a number of decimals. The firmware computes with REAL32, and process data is
         /// INT32.
@@ -3316,14 +3316,14 @@ pub mod double {
         /// Source: 6.2, 6.4.3.3.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
-        /// Acceleration, in inc/s² / 10^A311.
+        /// Acceleration: a step is 1 inc/s² / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
-        /// Jerk, in inc/s³ / 10^A311.
+        /// Jerk: a step is 1 inc/s³ / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///
@@ -4238,7 +4238,6 @@ pub mod single {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The PMC SC6/SI6 single-axis, CiA 402.
     ///
@@ -7146,11 +7145,12 @@ pub mod single {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::{Angle, Scale, Unit};
 
-        /// Position, in deg × 45 ÷ 131072.
+        /// Position: a step is 45/131072 deg.
         ///
         /// Increments, 2²⁰ to a revolution of the motor shaft as long as the feed constant has its preset. No
         /// decimals: I06 stays 0.
@@ -7158,9 +7158,9 @@ pub mod single {
         /// The device holds the factor in 0x6092:00.
         ///
         /// Source: 5.1.4.2.2, 5.2.7.1.
-        pub const POSITION: Scale = Scale::of::<45, 131_072>();
+        pub const POSITION: Unit<Single, Angle> = Unit::of::<87_890_625, 256>();
 
-        /// Velocity, in inc/s / 10^A310.
+        /// Velocity: a step is 1 inc/s / 10^A310.
         ///
         /// The parameter A310 is a number of decimals. The firmware computes with REAL32, and process data is
         /// INT32.
@@ -7168,14 +7168,14 @@ pub mod single {
         /// Source: 6.2, 6.4.3.3.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
-        /// Acceleration, in inc/s² / 10^A311.
+        /// Acceleration: a step is 1 inc/s² / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
-        /// Jerk, in inc/s³ / 10^A311.
+        /// Jerk: a step is 1 inc/s³ / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///
@@ -8057,7 +8057,6 @@ pub mod double_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
     ///
@@ -11329,11 +11328,12 @@ pub mod double_hires {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::Scale;
 
-        /// Position, in user unit / 10^I06.
+        /// Position: a step is 1 user unit / 10^I06.
         ///
         /// The unit of I09 with the decimals of I06, scaled in the drive by gear ratio and feed constant.
         ///
@@ -11342,7 +11342,7 @@ pub mod double_hires {
         /// Source: 5.1.4.2.3.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
-        /// Velocity, in user unit/s / 10^A310.
+        /// Velocity: a step is 1 user unit/s / 10^A310.
         ///
         /// The parameter A310 is a number of decimals. The firmware computes with REAL32, and process data is
         /// INT32.
@@ -11350,14 +11350,14 @@ pub mod double_hires {
         /// Source: 6.2, 6.4.3.3.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
-        /// Acceleration, in user unit/s² / 10^A311.
+        /// Acceleration: a step is 1 user unit/s² / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
-        /// Jerk, in user unit/s³ / 10^A311.
+        /// Jerk: a step is 1 user unit/s³ / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///
@@ -12272,7 +12272,6 @@ pub mod single_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The PMC SC6/SI6 single-axis, CiA 402 HiRes Motion.
     ///
@@ -15259,11 +15258,12 @@ pub mod single_hires {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::Scale;
 
-        /// Position, in user unit / 10^I06.
+        /// Position: a step is 1 user unit / 10^I06.
         ///
         /// The unit of I09 with the decimals of I06, scaled in the drive by gear ratio and feed constant.
         ///
@@ -15272,7 +15272,7 @@ pub mod single_hires {
         /// Source: 5.1.4.2.3.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
-        /// Velocity, in user unit/s / 10^A310.
+        /// Velocity: a step is 1 user unit/s / 10^A310.
         ///
         /// The parameter A310 is a number of decimals. The firmware computes with REAL32, and process data is
         /// INT32.
@@ -15280,14 +15280,14 @@ pub mod single_hires {
         /// Source: 6.2, 6.4.3.3.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
-        /// Acceleration, in user unit/s² / 10^A311.
+        /// Acceleration: a step is 1 user unit/s² / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
-        /// Jerk, in user unit/s³ / 10^A311.
+        /// Jerk: a step is 1 user unit/s³ / 10^A311.
         ///
         /// The parameter A311 is a number of decimals.
         ///

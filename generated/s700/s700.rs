@@ -35,7 +35,6 @@ pub mod s300 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The S300.
     ///
@@ -4110,52 +4109,59 @@ pub mod s300 {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
-        /// Position, in increments.
+        /// Position: a step is 1 increments.
         ///
         /// 2^PRBASE increments are one revolution of the motor.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
-        /// Velocity, in rpm × 1875 ÷ 262144.
+        /// Velocity: a step is 1875/262144 rpm.
         ///
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Scale = Scale::of::<1_875, 262_144>();
+        pub const VELOCITY: Unit<S300, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            256,
+        >();
 
-        /// Velocity, in rpm × 1875 ÷ 33554432.
+        /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Scale = Scale::of::<1_875, 33_554_432>();
+        pub const VELOCITY_FEED_FORWARD: Unit<S300, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            32_768,
+        >();
 
-        /// Current, in Ipeak ÷ 3280.
+        /// Current: a step is 1/3280 Ipeak.
         ///
         /// Ipeak is the peak current of the amplifier.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const PEAK_CURRENT: Scale = Scale::of::<1, 3_280>();
 
-        /// Current, in mA.
+        /// Current: a step is 1 mA.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIAMPERE: Scale = Scale::of::<1, 1>();
+        pub const MILLIAMPERE: Unit<S300, Current> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in mV.
+        /// Voltage: a step is 1 mV.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIVOLT: Scale = Scale::of::<1, 1>();
+        pub const MILLIVOLT: Unit<S300, Voltage> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in V.
+        /// Voltage: a step is 1 V.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VOLT: Scale = Scale::of::<1, 1>();
+        pub const VOLT: Unit<S300, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
@@ -5010,7 +5016,6 @@ pub mod s400 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The S400.
     ///
@@ -8060,52 +8065,59 @@ pub mod s400 {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
-        /// Position, in increments.
+        /// Position: a step is 1 increments.
         ///
         /// 2^PRBASE increments are one revolution of the motor.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
-        /// Velocity, in rpm × 1875 ÷ 262144.
+        /// Velocity: a step is 1875/262144 rpm.
         ///
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Scale = Scale::of::<1_875, 262_144>();
+        pub const VELOCITY: Unit<S400, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            256,
+        >();
 
-        /// Velocity, in rpm × 1875 ÷ 33554432.
+        /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Scale = Scale::of::<1_875, 33_554_432>();
+        pub const VELOCITY_FEED_FORWARD: Unit<S400, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            32_768,
+        >();
 
-        /// Current, in Ipeak ÷ 3280.
+        /// Current: a step is 1/3280 Ipeak.
         ///
         /// Ipeak is the peak current of the amplifier.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const PEAK_CURRENT: Scale = Scale::of::<1, 3_280>();
 
-        /// Current, in mA.
+        /// Current: a step is 1 mA.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIAMPERE: Scale = Scale::of::<1, 1>();
+        pub const MILLIAMPERE: Unit<S400, Current> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in mV.
+        /// Voltage: a step is 1 mV.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIVOLT: Scale = Scale::of::<1, 1>();
+        pub const MILLIVOLT: Unit<S400, Voltage> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in V.
+        /// Voltage: a step is 1 V.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VOLT: Scale = Scale::of::<1, 1>();
+        pub const VOLT: Unit<S400, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
@@ -8897,7 +8909,6 @@ pub mod s600 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The S600.
     ///
@@ -11947,52 +11958,59 @@ pub mod s600 {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
-        /// Position, in increments.
+        /// Position: a step is 1 increments.
         ///
         /// 2^PRBASE increments are one revolution of the motor.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
-        /// Velocity, in rpm × 1875 ÷ 262144.
+        /// Velocity: a step is 1875/262144 rpm.
         ///
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Scale = Scale::of::<1_875, 262_144>();
+        pub const VELOCITY: Unit<S600, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            256,
+        >();
 
-        /// Velocity, in rpm × 1875 ÷ 33554432.
+        /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Scale = Scale::of::<1_875, 33_554_432>();
+        pub const VELOCITY_FEED_FORWARD: Unit<S600, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            32_768,
+        >();
 
-        /// Current, in Ipeak ÷ 3280.
+        /// Current: a step is 1/3280 Ipeak.
         ///
         /// Ipeak is the peak current of the amplifier.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const PEAK_CURRENT: Scale = Scale::of::<1, 3_280>();
 
-        /// Current, in mA.
+        /// Current: a step is 1 mA.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIAMPERE: Scale = Scale::of::<1, 1>();
+        pub const MILLIAMPERE: Unit<S600, Current> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in mV.
+        /// Voltage: a step is 1 mV.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIVOLT: Scale = Scale::of::<1, 1>();
+        pub const MILLIVOLT: Unit<S600, Voltage> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in V.
+        /// Voltage: a step is 1 V.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VOLT: Scale = Scale::of::<1, 1>();
+        pub const VOLT: Unit<S600, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
@@ -12784,7 +12802,6 @@ pub mod s700 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-    use ::devc_runtime::unit::Scale;
 
     /// The S700.
     ///
@@ -16869,52 +16886,59 @@ pub mod s700 {
         }
     }
 
-    /// What raw values mean.
+    /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
+        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
-        /// Position, in increments.
+        /// Position: a step is 1 increments.
         ///
         /// 2^PRBASE increments are one revolution of the motor.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
-        /// Velocity, in rpm × 1875 ÷ 262144.
+        /// Velocity: a step is 1875/262144 rpm.
         ///
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Scale = Scale::of::<1_875, 262_144>();
+        pub const VELOCITY: Unit<S700, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            256,
+        >();
 
-        /// Velocity, in rpm × 1875 ÷ 33554432.
+        /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Scale = Scale::of::<1_875, 33_554_432>();
+        pub const VELOCITY_FEED_FORWARD: Unit<S700, AngularVelocity> = Unit::of::<
+            10_986_328_125,
+            32_768,
+        >();
 
-        /// Current, in Ipeak ÷ 3280.
+        /// Current: a step is 1/3280 Ipeak.
         ///
         /// Ipeak is the peak current of the amplifier.
         ///
         /// Source: 3.7.1, 3.7.2.
         pub const PEAK_CURRENT: Scale = Scale::of::<1, 3_280>();
 
-        /// Current, in mA.
+        /// Current: a step is 1 mA.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIAMPERE: Scale = Scale::of::<1, 1>();
+        pub const MILLIAMPERE: Unit<S700, Current> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in mV.
+        /// Voltage: a step is 1 mV.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const MILLIVOLT: Scale = Scale::of::<1, 1>();
+        pub const MILLIVOLT: Unit<S700, Voltage> = Unit::of::<1_000_000, 1>();
 
-        /// Voltage, in V.
+        /// Voltage: a step is 1 V.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VOLT: Scale = Scale::of::<1, 1>();
+        pub const VOLT: Unit<S700, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.

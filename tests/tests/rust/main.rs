@@ -7,3 +7,4 @@ mod dictionary;
 mod pdos;
 mod rebuild;
 mod same;
+mod units;

@@ -26,7 +26,6 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         use #runtime::error::{ErrorInfo, ErrorRange};
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
-        use #runtime::unit::Scale;
         #device
         #axes
     }

@@ -37,7 +37,7 @@ pub(super) fn number(value: impl std::fmt::Display) -> TokenStream {
 }
 
 /// A number with its thousands apart: `100_000`.
-pub(super) fn grouped(value: u32) -> TokenStream {
+pub(super) fn grouped(value: u64) -> TokenStream {
     let digits = value.to_string();
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {

@@ -16,6 +16,7 @@ mod images;
 #[cfg(feature = "rust")]
 mod layout;
 mod literal;
+mod measure;
 mod modes;
 mod names;
 mod objects;

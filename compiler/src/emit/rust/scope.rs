@@ -39,7 +39,6 @@ const RESERVED: &[&str] = &[
     "ReadWrite",
     "Result",
     "Rx",
-    "Scale",
     "State",
     "StatePatterns",
     "StateSet",

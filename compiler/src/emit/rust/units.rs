@@ -1,68 +1,170 @@
-//! Units as scales.
+//! Units as types of what they measure, or as bare scales where they count something of the device's own.
 
-use proc_macro2::TokenStream;
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::doc::{Doc, escape};
-use super::entry;
+use super::doc::{Doc, escape, sentence};
 use super::literal::grouped;
-use super::names::{Names, shout, snake};
+use super::measure::Measure;
+use super::names::{Names, camel, shout, snake};
 use super::scope::Scope;
 use crate::model::{AxisUnit, Path, Unit};
 
 pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
     let mut names = Names::default();
-    let scales: Vec<TokenStream> =
-        scope.device.units.iter().filter_map(|unit| scale(scope, unit, &mut names)).collect();
-    if scales.is_empty() {
+    let units: TokenStream =
+        scope.device.units.iter().flat_map(|unit| items(scope, unit, &mut names)).collect();
+    if units.is_empty() {
         return TokenStream::new();
     }
+    let (runtime, types) = (scope.runtime, types(scope));
     quote! {
-        /// What raw values mean.
+        /// What raw values mean, and how to come from physical values to raw ones.
         pub mod units {
             use super::*;
-            #(#scales)*
+            use #runtime::unit::{#(#types),*};
+            #units
         }
     }
 }
 
-/// One scale, or one for each axis where they differ; none where the numbers are beyond those of a scale.
-fn scale(scope: &Scope<'_>, unit: &Unit, names: &mut Names) -> Option<TokenStream> {
-    let scales = unit.axes.iter().map(of_axis).collect::<Option<Vec<_>>>()?;
-    let doc = doc(scope, unit);
-    let first = scales.first()?;
-    if scales.iter().all(|scale| scale.to_string() == first.to_string()) || !scope.has_axes() {
-        let name = names.claim(&shout(&unit.id));
-        return Some(quote!(#doc pub const #name: Scale = #first;));
+/// The runtime's types that the units need, each once, by name.
+fn types(scope: &Scope<'_>) -> BTreeSet<Ident> {
+    let axes = scope.device.units.iter().flat_map(|unit| &unit.axes);
+    let types = axes.flat_map(|unit| match Measure::of(&unit.symbol) {
+        Some(measure) => vec![camel("Unit"), measure.quantity()],
+        None => vec![camel("Scale")],
+    });
+    types.collect()
+}
+
+/// Axes on which a unit measures the same.
+struct Group<'a> {
+    axes: Vec<usize>,
+    first: &'a AxisUnit,
+}
+
+/// One item for all axes that measure the same: none of them can be taken for an axis that measures something else.
+fn items(scope: &Scope<'_>, unit: &Unit, names: &mut Names) -> Vec<TokenStream> {
+    let mut groups: Vec<Group<'_>> = Vec::new();
+    for (axis, first) in unit.axes.iter().enumerate() {
+        match groups.iter_mut().find(|group| group.first.symbol == first.symbol) {
+            Some(group) => group.axes.push(axis),
+            None => groups.push(Group { axes: vec![axis], first }),
+        }
     }
-    let name = names.claim(&snake(&unit.id));
-    let arms =
-        scope.axis_idents().into_iter().zip(&scales).map(|((axis, _), scale)| quote!(Axis::#axis => #scale,));
+    let is_one = groups.len() == 1;
+    groups.iter().filter_map(|group| item(scope, unit, group, is_one, names)).collect()
+}
+
+/// A constant, or a function of the axis where the scale differs from one to another; none where the numbers are
+/// beyond those of a scale.
+fn item(
+    scope: &Scope<'_>,
+    unit: &Unit,
+    group: &Group<'_>,
+    is_one: bool,
+    names: &mut Names,
+) -> Option<TokenStream> {
+    let scales = group.axes.iter().map(|axis| scaled(unit.axes.get(*axis)?)).collect::<Option<Vec<_>>>()?;
+    let (first, doc) = (scales.first()?, doc(scope, unit, group, is_one));
+    let id = if is_one { unit.id.clone() } else { format!("{}-{}", unit.id, word(&group.first.symbol)) };
+    let (name, ty) = (shout(&id), ty(scope, group.first));
+    if scales.iter().all(|scale| scale == first) {
+        let (name, value) = (names.claim(&name), first.tokens());
+        return Some(quote!(#doc pub const #name: #ty = #value;));
+    }
+    let name = names.claim(&snake(&id));
+    let axes = scope.axis_idents();
+    let arms = group.axes.iter().zip(&scales).filter_map(|(axis, scale)| {
+        let ((axis, _), scale) = (axes.get(*axis)?, scale.tokens());
+        Some(quote!(Axis::#axis => Some(#scale),))
+    });
+    let others = (group.axes.len() < axes.len()).then(|| quote!(_ => None,));
     Some(quote! {
         #doc
-        pub const fn #name(axis: Axis) -> Scale {
-            match axis { #(#arms)* }
+        ///
+        /// None for an axis that has it not.
+        pub const fn #name(axis: Axis) -> Option<#ty> {
+            match axis { #(#arms)* #others }
         }
     })
 }
 
-fn of_axis(unit: &AxisUnit) -> Option<TokenStream> {
-    let (units, raw) = unit.scale.map_or((1, 1), |scale| (scale.units, scale.raw));
-    let (units, raw) = (u32::try_from(units).ok()?, u32::try_from(raw).ok()?);
-    let (units, raw) = (grouped(units), grouped(raw));
-    Some(quote!(Scale::of::<#units, #raw>()))
+/// The type of a unit: of the device and of what it measures.
+fn ty(scope: &Scope<'_>, unit: &AxisUnit) -> TokenStream {
+    let marker = &scope.marker;
+    match Measure::of(&unit.symbol) {
+        Some(measure) => {
+            let quantity = measure.quantity();
+            quote!(Unit<#marker, #quantity>)
+        }
+        None => quote!(Scale),
+    }
 }
 
-fn doc(scope: &Scope<'_>, unit: &Unit) -> Doc {
+/// So many of the smallest unit in so many raw steps.
+#[derive(PartialEq, Eq)]
+struct Scaled {
+    smallest: u64,
+    raw: u64,
+    is_typed: bool,
+}
+
+impl Scaled {
+    fn tokens(&self) -> TokenStream {
+        let (smallest, raw) = (grouped(self.smallest), grouped(self.raw));
+        let name = camel(if self.is_typed { "Unit" } else { "Scale" });
+        quote!(#name::of::<#smallest, #raw>())
+    }
+}
+
+fn scaled(unit: &AxisUnit) -> Option<Scaled> {
+    let (units, raw) = unit.scale.map_or((1, 1), |scale| (scale.units, scale.raw));
+    let measure = Measure::of(&unit.symbol);
+    let smallest = measure.map_or(Some(units), |measure| units.checked_mul(measure.smallest))?;
+    let divisor = gcd(smallest, raw).max(1);
+    let is_typed = measure.is_some();
+    (smallest > 0 && raw > 0).then_some(Scaled { smallest: smallest / divisor, raw: raw / divisor, is_typed })
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+/// A word for a symbol, where a unit has several: `mm/s` is `mm-per-s`.
+fn word(symbol: &str) -> String {
+    symbol.replace('µ', "u").replace('°', "deg").replace('²', "2").replace('/', "-per-")
+}
+
+fn doc(scope: &Scope<'_>, unit: &Unit, group: &Group<'_>, is_one: bool) -> Doc {
     let path = match unit.path {
         Some(Path::Pdo) => " in process data",
         Some(Path::Sdo) => " in SDOs",
         None => "",
     };
-    let title = super::doc::sentence(&unit.quantity).trim_end_matches('.').to_owned();
+    let names: Vec<&str> = group
+        .axes
+        .iter()
+        .filter_map(|axis| scope.device.axes.get(*axis).map(|axis| axis.name.as_str()))
+        .collect();
+    let of_axes = if is_one { String::new() } else { format!(" of {}", names.join(", ")) };
+    let title = sentence(&unit.quantity).trim_end_matches('.').to_owned();
     let factor = unit.factor.map(|address| format!("The device holds the factor in {address}."));
-    Doc::new(format!("{title}{path}, {}.", escape(&entry::unit(unit))))
+    Doc::new(format!("{title}{path}{of_axes}: a step is {}.", escape(&step(group.first))))
         .maybe(unit.about.as_deref())
         .maybe(factor.as_deref())
         .source(unit.source.as_ref(), scope.device)
+}
+
+/// A raw step in the unit.
+fn step(unit: &AxisUnit) -> String {
+    let symbol = &unit.symbol;
+    match unit.scale {
+        Some(scale) if scale.raw == 1 => format!("{} {symbol}", scale.units),
+        Some(scale) => format!("{}/{} {symbol}", scale.units, scale.raw),
+        None => format!("1 {symbol}"),
+    }
 }

@@ -1,4 +1,4 @@
-//! Raw values to physical ones and back (CiA 402, factor group).
+//! A ratio of whole numbers.
 
 use core::num::NonZero;
 
@@ -27,18 +27,18 @@ use core::num::NonZero;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Scale {
-    numerator: NonZero<u32>,
-    denominator: NonZero<u32>,
+    numerator: NonZero<u64>,
+    denominator: NonZero<u64>,
 }
 
 impl Scale {
     /// A scale that the description states.
-    pub const fn of<const NUMERATOR: u32, const DENOMINATOR: u32>() -> Self {
+    pub const fn of<const NUMERATOR: u64, const DENOMINATOR: u64>() -> Self {
         const { Self::new(NUMERATOR, DENOMINATOR).expect("numerator and denominator of a scale are not 0") }
     }
 
     /// A scale read from a device, as from the position factor 0x6093; `None` if either number is 0.
-    pub const fn new(numerator: u32, denominator: u32) -> Option<Self> {
+    pub const fn new(numerator: u64, denominator: u64) -> Option<Self> {
         match (NonZero::new(numerator), NonZero::new(denominator)) {
             (Some(numerator), Some(denominator)) => Some(Self { numerator, denominator }),
             _ => None,
@@ -68,29 +68,36 @@ impl Scale {
 
     /// The physical value with its fraction, as near as `f64` comes.
     pub fn physical_f64(self, raw: i32) -> f64 {
-        f64::from(raw) * f64::from(self.numerator.get()) / f64::from(self.denominator.get())
+        f64::from(raw) * self.numerator.get() as f64 / self.denominator.get() as f64
     }
 }
 
 /// value × multiplier ÷ divisor, if nothing is left over and it fits.
-fn exact(value: i64, multiplier: NonZero<u32>, divisor: NonZero<u32>) -> Option<i64> {
-    let (product, divisor) = magnitudes(value, multiplier, divisor);
-    if product % divisor == 0 { signed(product / divisor, value) } else { None }
+fn exact(value: i64, multiplier: NonZero<u64>, divisor: NonZero<u64>) -> Option<i64> {
+    let (quotient, rest) = divided(value, multiplier, divisor);
+    if rest == 0 { signed(quotient, value) } else { None }
 }
 
 /// value × multiplier ÷ divisor to the nearest, or the end of the range.
-fn rounded(value: i64, multiplier: NonZero<u32>, divisor: NonZero<u32>) -> i64 {
-    let (product, divisor) = magnitudes(value, multiplier, divisor);
-    let rest = product % divisor;
-    let up = u128::from(rest != 0 && rest >= divisor.get().saturating_sub(rest));
-    let nearest = (product / divisor).saturating_add(up);
+fn rounded(value: i64, multiplier: NonZero<u64>, divisor: NonZero<u64>) -> i64 {
+    let (quotient, rest) = divided(value, multiplier, divisor);
+    let is_up = rest != 0 && rest >= divisor.get().saturating_sub(rest);
+    let nearest = quotient.saturating_add(u128::from(is_up));
     signed(nearest, value).unwrap_or(if value < 0 { i64::MIN } else { i64::MAX })
 }
 
-/// |value| × multiplier cannot overflow: 64 and 32 bits make at most 96.
-fn magnitudes(value: i64, multiplier: NonZero<u32>, divisor: NonZero<u32>) -> (u128, NonZero<u128>) {
+/// |value| × multiplier ÷ divisor and what is left over. The product cannot overflow: 64 and 64 bits make at most 128.
+fn divided(value: i64, multiplier: NonZero<u64>, divisor: NonZero<u64>) -> (u128, u64) {
     let product = u128::from(value.unsigned_abs()).saturating_mul(u128::from(multiplier.get()));
-    (product, NonZero::from(divisor))
+    match u64::try_from(product) {
+        // nearly always, and a division of 64 bits is many times faster than one of 128
+        Ok(product) => (u128::from(product / divisor), product % divisor),
+        Err(_) => {
+            let wide = NonZero::from(divisor);
+            // a rest is smaller than its divisor
+            (product / wide, u64::try_from(product % wide).unwrap_or(0))
+        }
+    }
 }
 
 /// The magnitude with the sign of `like`, if it fits.
