@@ -35,7 +35,7 @@ pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
 pub use mode::{Mode, ModeBits, ModeChange, MotionCommand, StopOption};
 pub use object::{Access, Category, Entry, Kind, Mappable, Object, Provenance, Trigger};
-pub use parameter::{Coordinates, Group, Parameter, ValueRange};
+pub use parameter::{AxisGroup, Coordinates, Group, Parameter, ValueRange};
 pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Pdo};
 pub use register::{AlStatusCode, Register, RegisterAccess, Telegram};

@@ -68,8 +68,21 @@ model! {
         pub name: String,
         /// Its number in the formula; none if its parameters have no index.
         pub number: Option<u16>,
-        /// The indices that the manual gives for it.
+        /// The indices that the manual gives for it on the first axis.
         pub range: Option<(Index, Index)>,
+        /// The indices that the manual gives on other axes, where they are not as far apart as the axes are.
+        pub per_axis: Vec<AxisGroup>,
+    }
+
+    /// Where the manual puts a group on an axis.
+    #[derive(Eq)]
+    pub struct AxisGroup {
+        /// The number of the axis.
+        pub axis: u8,
+        /// The first index.
+        pub first: Index,
+        /// The last index.
+        pub last: Index,
     }
 }
 

@@ -35,7 +35,7 @@ pub use homing::{RawAlternative, RawDirection, RawHomingMethod};
 pub use literal::{Duration, Fraction, Hex, Literal};
 pub use mode::{RawMode, RawModeChange, RawMotionCommand, RawStopOption};
 pub use object::{Ignored, RawAccess, RawCategory, RawEntry, RawKind, RawMappable, RawObject, RawTrigger};
-pub use parameter::{RawCoordinates, RawGroup, RawParameter};
+pub use parameter::{RawAxisGroup, RawCoordinates, RawGroup, RawParameter};
 pub use pdo::{RawMailbox, RawMapped, RawPdo, RawSyncManager};
 pub use read::read;
 pub use register::{RawAlStatusCode, RawRegister, RawRegisterAccess, RawTelegram};

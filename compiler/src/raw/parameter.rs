@@ -59,6 +59,18 @@ pub struct RawGroup {
     pub name: String,
     /// Its number in the formula; none if its parameters have no index.
     pub number: Option<u16>,
-    /// The indices that the manual gives for it, as `"0x2000..=0x21FF"`.
+    /// The indices that the manual gives for it on the first axis, as `"0x2000..=0x21FF"`.
     pub range: Option<String>,
+    /// Axes for which the manual gives other indices than the distance between the axes makes, by name.
+    #[serde(default)]
+    pub per_axis: BTreeMap<String, RawAxisGroup>,
+}
+
+/// What differs on an axis.
+#[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub struct RawAxisGroup {
+    /// The indices that the manual gives for the group on this axis.
+    pub range: String,
 }

@@ -3,7 +3,7 @@
 use super::context::Context;
 use crate::model::{Assumption, Document, Erratum, Remark, RemarkKind, Source};
 use crate::raw::{
-    Entity, RawAssumed, RawDevice, RawDocument, RawErratum, RawFacts, RawRemark, RawRemarkKind,
+    Entity, ObjectEntity, RawAssumed, RawDevice, RawDocument, RawErratum, RawFacts, RawRemark, RawRemarkKind,
 };
 use crate::source::{Location, Origin};
 
@@ -50,10 +50,13 @@ pub(super) fn assumptions(context: &Context<'_>, raw: &RawDevice) -> Vec<Assumpt
     one(&raw.dead_time, "dead-time", &mut single);
     one(&raw.coordinates, "coordinates", &mut single);
     each_of(&raw.sync_managers, "sync-managers", &mut single);
-    for object in &raw.objects {
-        single(&object.object.key, &object.object.facts, &object.object.origin);
-        for entry in &object.entries {
-            single(&format!("{}:{}", object.object.key, entry.key), &entry.facts, &entry.origin);
+    for ObjectEntity { object, entries, .. } in &raw.objects {
+        // A coordinate of the vendor is one of several ways to write an index.
+        let index = context.names.key(&object.key).map(|index| index.to_string());
+        let key = index.unwrap_or_else(|| object.key.clone());
+        single(&key, &object.facts, &object.origin);
+        for entry in entries {
+            single(&format!("{key}:{}", entry.key), &entry.facts, &entry.origin);
         }
     }
     for pdo in raw.rx_pdos.iter().chain(&raw.tx_pdos) {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::context::Context;
 use super::{facts, keys};
-use crate::model::{Coordinates, Group, Index, Parameter, Value, ValueRange};
+use crate::model::{AxisGroup, Coordinates, Group, Index, Parameter, Value, ValueRange};
 use crate::raw::{Entity, Literal, RawCoordinates, RawField, RawGroup, RawParameter};
 use crate::source::Origin;
 
@@ -74,18 +74,42 @@ pub(super) fn coordinates(context: &mut Context<'_>, entity: &Entity<RawCoordina
 }
 
 fn group(context: &mut Context<'_>, letter: &str, raw: &RawGroup, origin: &Origin) -> Group {
-    let range = raw.range.as_deref().and_then(|text| {
-        let range = keys::range::<u16>(text);
-        if range.is_none() {
-            let at = origin.value(&format!("groups.{letter}.range"));
-            context.invalid(text, "a range of indices such as \"0x2000..=0x21FF\"", at);
-        }
-        range
-    });
+    let range =
+        raw.range.as_deref().and_then(|text| indices(context, text, &format!("groups.{letter}.range"), origin));
     Group {
         letter: letter.to_owned(),
         name: raw.name.clone(),
         number: raw.number,
-        range: range.map(|range| (Index(*range.start()), Index(*range.end()))),
+        range,
+        per_axis: per_axis(context, letter, raw, origin),
     }
+}
+
+/// Where a group lies on the axes that are named.
+fn per_axis(context: &mut Context<'_>, letter: &str, raw: &RawGroup, origin: &Origin) -> Vec<AxisGroup> {
+    let mut groups = Vec::new();
+    for (name, differing) in &raw.per_axis {
+        let path = format!("groups.{letter}.per-axis.{name}");
+        let axis = context.axes.iter().find(|axis| axis.name == *name).map(|axis| axis.number);
+        let range = indices(context, &differing.range, &format!("{path}.range"), origin);
+        match (axis, range) {
+            (Some(axis), Some((first, last))) => groups.push(AxisGroup { axis, first, last }),
+            (None, _) => {
+                let known: Vec<&str> = context.axes.iter().map(|axis| axis.name.as_str()).collect();
+                let expected = format!("an axis of {}", known.join(", "));
+                context.invalid(name, &expected, origin.value(&path));
+            }
+            _ => {}
+        }
+    }
+    groups.sort_by_key(|group| group.axis);
+    groups
+}
+
+fn indices(context: &mut Context<'_>, text: &str, path: &str, origin: &Origin) -> Option<(Index, Index)> {
+    let range = keys::range::<u16>(text);
+    if range.is_none() {
+        context.invalid(text, "a range of indices such as \"0x2000..=0x21FF\"", origin.value(path));
+    }
+    range.map(|range| (Index(*range.start()), Index(*range.end())))
 }

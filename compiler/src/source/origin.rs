@@ -63,7 +63,6 @@ impl Origin {
     }
 }
 
-/// The place alone: the table is what the entity itself says.
 /// The keys of a path; the dots of a range such as `0..=3` are part of its key.
 fn parts(path: &str) -> impl Iterator<Item = &str> {
     let bytes = path.as_bytes();
@@ -78,6 +77,7 @@ fn parts(path: &str) -> impl Iterator<Item = &str> {
     })
 }
 
+/// The place alone: the table is what the entity itself says.
 impl fmt::Debug for Origin {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Location { file, start, end } = self.header;

@@ -6,7 +6,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Coordinates, Group};
+use crate::model::{AxisGroup, Coordinates, Group, Index};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -31,7 +31,7 @@ impl Chapter for View {
             about: context.paragraphs(coordinates.about.as_deref()),
             formula: formula(coordinates),
             shift: if coordinates.info_shift > 0 { shift } else { String::new() },
-            groups: Table::of(["Group", "Parameters", "Number", "Indices"], &coordinates.groups, group),
+            groups: Table::of(["Group", "Parameters", "Number", "Indices"], &coordinates.groups, |it| group(context, it)),
             source: context.source_line(coordinates.source.as_ref()),
         })
     }
@@ -53,11 +53,17 @@ fn formula(coordinates: &Coordinates) -> String {
     }
 }
 
-fn group(group: &Group) -> [String; 4] {
+fn group(context: &Context<'_>, group: &Group) -> [String; 4] {
+    let Group { letter, name, number, range, per_axis } = group;
+    let span = |first: Index, last: Index| format!("{} to {}", code(first), code(last));
+    let others = per_axis.iter().map(|&AxisGroup { axis, first, last }| {
+        format!("on {} {}", context.axes(&[axis]), span(first, last))
+    });
+    let first = range.map(|(first, last)| span(first, last));
     [
-        format!("**{}**", text(&group.letter)),
-        text(&group.name),
-        group.number.map_or_else(|| "–".into(), |number| number.to_string()),
-        group.range.map_or(String::new(), |(first, last)| format!("{} to {}", code(first), code(last))),
+        format!("**{}**", text(letter)),
+        text(name),
+        number.map_or_else(|| "–".into(), |number| number.to_string()),
+        first.into_iter().chain(others).collect::<Vec<_>>().join("; "),
     ]
 }
