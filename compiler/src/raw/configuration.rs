@@ -13,9 +13,9 @@ use super::{Duration, RawMapped};
 pub struct RawConfiguration {
     /// What it is good for.
     pub name: String,
-    /// The PDOs to assign to the outputs; untouched if absent.
+    /// The PDOs to assign to the outputs; untouched if absent. That of the first axis stands for all axes.
     pub outputs: Option<Vec<String>>,
-    /// The PDOs to assign to the inputs; untouched if absent.
+    /// The PDOs to assign to the inputs; untouched if absent. That of the first axis stands for all axes.
     pub inputs: Option<Vec<String>>,
     /// What to map, by PDO; for PDOs whose mapping is free.
     #[serde(default)]

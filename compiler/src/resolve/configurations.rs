@@ -2,8 +2,7 @@
 
 use super::context::Context;
 use super::derived::Basis;
-use super::{facts, names, pdos, startup};
-use crate::diagnostic::{Diagnostic, faults};
+use super::{facts, pdos, startup};
 use crate::model::{Configuration, Index, Object, Pdo};
 use crate::raw::{Duration, Entity, RawConfiguration, RawMapped};
 
@@ -47,6 +46,7 @@ fn configuration(
     configuration
 }
 
+/// The PDOs to assign, axis after axis.
 fn assigned(
     context: &mut Context<'_>,
     entity: &Entity<RawConfiguration>,
@@ -56,21 +56,17 @@ fn assigned(
 ) -> Option<Vec<Index>> {
     let mut assigned = Vec::new();
     for (i, text) in list?.iter().enumerate() {
-        let index = names::index(text).filter(|index| pdos.iter().any(|pdo| pdo.index == *index));
-        if index.is_none() {
-            unknown_pdo(context, text, entity.origin.value(&format!("{path}.{i}")));
+        let named = pdos::named(pdos, text);
+        if named.is_empty() {
+            context.no_pdo(text, entity.origin.value(&format!("{path}.{i}")), "not described");
         }
-        assigned.extend(index);
+        assigned.extend(named);
     }
-    Some(assigned)
+    assigned.sort_by_key(|pdo| pdo.axis);
+    Some(assigned.into_iter().map(|pdo| pdo.index).collect())
 }
 
-fn unknown_pdo(context: &mut Context<'_>, text: &str, at: crate::source::Location) {
-    let message = format!("there is no PDO `{text}`");
-    context.diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not described"));
-}
-
-/// A PDO as the configuration maps it; with a PDO of the first axis, those of the others.
+/// A PDO as the configuration maps it, on all axes that it stands for.
 fn remapped(
     context: &mut Context<'_>,
     entity: &Entity<RawConfiguration>,
@@ -80,17 +76,13 @@ fn remapped(
     objects: &[Object],
 ) -> Vec<Pdo> {
     let path = format!("mapping.{key}");
-    let Some(named) = names::index(key).and_then(|index| pdos.iter().find(|pdo| pdo.index == index)) else {
-        unknown_pdo(context, key, entity.origin.value(&path));
-        return Vec::new();
-    };
-    // The copies of a PDO stand at one place in the description.
-    let place = named.origin.header();
-    let copies = |pdo: &&Pdo| named.axis == Some(0) && pdo.origin.header() == place;
-    let mut remapped = Vec::new();
-    for pdo in pdos.iter().filter(|pdo| pdo.index == named.index || copies(pdo)) {
-        let entries = pdos::mapped(context, entries, &entity.origin, &path, pdo.axis, objects);
-        remapped.push(Pdo { entries, total: None, about: None, ..pdo.clone() });
+    let named = pdos::named(pdos, key);
+    if named.is_empty() {
+        context.no_pdo(key, entity.origin.value(&path), "not described");
     }
-    remapped
+    let remapped = named.into_iter().map(|pdo| {
+        let entries = pdos::mapped(context, entries, &entity.origin, &path, pdo.axis, objects);
+        Pdo { entries, total: None, about: None, ..pdo.clone() }
+    });
+    remapped.collect()
 }

@@ -59,6 +59,11 @@ impl Context<'_> {
         }
     }
 
+    /// Reports that there is no PDO of this index.
+    pub(super) fn no_pdo(&mut self, text: &str, at: Location, label: &str) {
+        self.fault(&faults::UNKNOWN_REFERENCE, format!("there is no PDO `{text}`"), at, label);
+    }
+
     /// Reports that an object lacks an entry that something refers to.
     pub(super) fn no_entry(&mut self, object: &Object, address: Address, at: Location) {
         let message = format!("{} has no subindex {:02X}", object.index, address.subindex);

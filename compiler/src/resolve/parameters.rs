@@ -74,8 +74,10 @@ pub(super) fn coordinates(context: &mut Context<'_>, entity: &Entity<RawCoordina
 }
 
 fn group(context: &mut Context<'_>, letter: &str, raw: &RawGroup, origin: &Origin) -> Group {
-    let range =
-        raw.range.as_deref().and_then(|text| indices(context, text, &format!("groups.{letter}.range"), origin));
+    let range = raw
+        .range
+        .as_deref()
+        .and_then(|text| indices(context, text, &format!("groups.{letter}.range"), origin));
     Group {
         letter: letter.to_owned(),
         name: raw.name.clone(),

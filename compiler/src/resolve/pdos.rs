@@ -91,6 +91,15 @@ pub(super) fn copies(
     axes.map(|axis| (Some(axis), Index(index.0.wrapping_add(by(axis))))).collect()
 }
 
+/// The PDOs that a reference names: the PDO of the first axis stands for those of all axes.
+pub(super) fn named<'p>(pdos: &'p [Pdo], text: &str) -> Vec<&'p Pdo> {
+    let index = names::index(text);
+    let Some(named) = pdos.iter().find(|pdo| Some(pdo.index) == index) else { return Vec::new() };
+    // The copies of a PDO stand at one place in the description.
+    let copied = |pdo: &&Pdo| named.axis == Some(0) && pdo.origin.header() == named.origin.header();
+    pdos.iter().filter(|pdo| pdo.index == named.index || copied(pdo)).collect()
+}
+
 fn report_duplicates(context: &mut Context<'_>, pdos: &[Pdo]) {
     for pair in pdos.windows(2) {
         if let [first, second] = pair
@@ -145,9 +154,7 @@ fn excludes(
         match pdo.filter(|_| context.names.find(text).is_ok()) {
             Some(index) => excludes.push(Index(index.0.wrapping_add(distance))),
             None => {
-                let message = format!("there is no PDO `{text}`");
-                let at = origin.value(&format!("excludes.{i}"));
-                context.fault(&faults::UNKNOWN_REFERENCE, message, at, "not a PDO of this direction");
+                context.no_pdo(text, origin.value(&format!("excludes.{i}")), "not a PDO of this direction");
             }
         }
     }

@@ -2,7 +2,6 @@
 
 use super::context::Context;
 use super::{facts, names, pdos};
-use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Eeprom, Index, Mailbox, Pdo, Role, SyncManager};
 use crate::raw::{Entity, RawEeprom, RawMailbox, RawPdo, RawSyncManager};
 
@@ -72,12 +71,7 @@ fn assigned(
         let pdo = described.iter().find(|pdo| names::index(&pdo.key) == names::index(text));
         match (pdo, names::index(text)) {
             (Some(pdo), Some(index)) => assigned.extend(pdos::copies(context, pdo, index)),
-            _ => {
-                let message = format!("there is no PDO `{text}`");
-                let at = entity.origin.value(&format!("pdos.{i}"));
-                let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not described");
-                context.diagnostics.push(fault);
-            }
+            _ => context.no_pdo(text, entity.origin.value(&format!("pdos.{i}")), "not described"),
         }
     }
     assigned.sort_by_key(|(axis, _)| *axis);

@@ -54,6 +54,21 @@ fn the_default_assignment_is_that_of_the_manual() {
 }
 
 #[test]
+fn the_startup_list_assigns_what_the_manual_assigns() {
+    let csp = device().configurations.iter().find(|it| it.id == "csp").expect("it is described");
+    for object in [0x1C12, 0x1C13] {
+        let rows: Vec<_> = rows::<c887::Assigned>().into_iter().filter(|row| row.object == object).collect();
+        let mut printed = vec![(0, vec![0])];
+        let pdos = (1..).zip(rows.iter().filter_map(|row| row.pdo));
+        printed.extend(pdos.map(|(place, pdo)| (place, pdo.to_le_bytes().to_vec())));
+        printed.push((0, vec![6]));
+        let writes = csp.startup.iter().filter(|write| write.address.index.0 == object);
+        let written: Vec<_> = writes.map(|write| (write.address.subindex, write.data.clone())).collect();
+        assert_eq!(written, printed);
+    }
+}
+
+#[test]
 fn images_have_their_sizes() {
     assert_eq!(device().image_bytes(Role::Outputs), 42);
     assert_eq!(device().image_bytes(Role::Inputs), 66);

@@ -31,7 +31,9 @@ impl Chapter for View {
             about: context.paragraphs(coordinates.about.as_deref()),
             formula: formula(coordinates),
             shift: if coordinates.info_shift > 0 { shift } else { String::new() },
-            groups: Table::of(["Group", "Parameters", "Number", "Indices"], &coordinates.groups, |it| group(context, it)),
+            groups: Table::of(["Group", "Parameters", "Number", "Indices"], &coordinates.groups, |it| {
+                group(context, it)
+            }),
             source: context.source_line(coordinates.source.as_ref()),
         })
     }
