@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::source::{Member, Node, Table, Value};
 
 /// Lays each entity of `root` over the entity of the same key in `profile`.
@@ -41,8 +42,31 @@ fn section_over(entities: &Table, base: &Member) -> Table {
     Table { at: entities.at, members }
 }
 
+/// Takes out what lists of paths name, and the key that holds them.
+pub(super) fn strip(mut tree: Table, lists: &[Node], diagnostics: &mut Diagnostics) -> Table {
+    for list in lists {
+        let Value::Array(paths) = &list.value else {
+            diagnostics.push(wrong_type(list, "an array of paths"));
+            continue;
+        };
+        for path in paths.iter() {
+            let Value::String(text) = &path.value else {
+                diagnostics.push(wrong_type(path, "a path such as \"objects.0x6098\""));
+                continue;
+            };
+            if !take_out(&mut tree, text) {
+                let message = format!("nothing stands at `{text}`");
+                let label = "cannot be left out";
+                diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, path.at, label));
+            }
+        }
+    }
+    tree.members.retain(|member| &*member.key.name != "without");
+    tree
+}
+
 /// Takes out what stands at `path`, and says whether there was anything.
-pub(super) fn take_out(table: &mut Table, path: &str) -> bool {
+fn take_out(table: &mut Table, path: &str) -> bool {
     let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
     let Some(place) = table.members.iter().position(|member| member.key.name.eq_ignore_ascii_case(first))
     else {
@@ -66,4 +90,11 @@ fn with(member: &Member, table: Table) -> Member {
 /// A key in one spelling: `0x607a` and `0x607A` name the same object.
 fn normal(key: &str) -> String {
     key.to_ascii_uppercase()
+}
+
+/// That a value is of another type than its key needs.
+pub(super) fn wrong_type(node: &Node, expected: &str) -> Diagnostic {
+    let found = node.value.kind();
+    let message = format!("expected {expected}, found {found}");
+    Diagnostic::new(&faults::WRONG_TYPE, message, node.at, format!("this is {found}"))
 }

@@ -11,6 +11,7 @@ mod error;
 mod fact;
 mod front;
 mod homing;
+mod like;
 mod literal;
 mod mode;
 mod object;

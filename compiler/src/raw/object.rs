@@ -16,7 +16,8 @@ pub struct RawObject {
     pub id: Option<String>,
     /// `"var"`, `"array"` or `"record"`; what the entries look like if absent.
     pub kind: Option<RawKind>,
-    /// The entries by subindex, `"1"`, or by a range of them, `"1..=16"`; none for a single value.
+    /// The entries by subindex, `"1"`, or by a range of them, `"1..=16"`, in whose `name` and `parameter` `{}`
+    /// or `{+8}` is a number; none for a single value.
     #[serde(default)]
     pub entries: BTreeMap<String, Ignored>,
     /// What differs on some axes, by axis name, `"Y"`, or by a range of them, `"Y..=W"`.

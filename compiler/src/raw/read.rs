@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 
+use super::compose::{self, wrong_type};
 use super::decode::Reader;
-use super::{Entity, LintSetting, ObjectEntity, RawDevice, RawEntry, RawFacts, RawFamily, compose};
+use super::{Entity, LintSetting, ObjectEntity, RawDevice, RawEntry, RawFacts, RawFamily, like};
 use crate::diagnostic::{Diagnostic, Diagnostics, Level, faults};
-use crate::source::near::list;
 use crate::source::{Document, Location, Member, Node, Origin, Table, Value};
 
 /// Decodes a description: what its members share, and one [`RawDevice`] for each of them, or just one.
@@ -26,7 +26,7 @@ pub fn read(
         .into_iter()
         .filter_map(|(id, tree, removed)| {
             let tree = compose::over_profile(&tree, &document.profile);
-            device(id, &strip(tree, &removed, diagnostics), diagnostics)
+            device(id, &compose::strip(tree, &removed, diagnostics), diagnostics)
         })
         .collect();
     (family, devices)
@@ -36,6 +36,8 @@ pub fn read(
 fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<(String, Table, Vec<Node>)> {
     let mut shared = document.root.clone();
     shared.members.retain(|section| !matches!(&*section.key.name, "members" | "family"));
+    // A table is like another as it is for all members.
+    shared = like::alike(shared, diagnostics);
     let removed: Vec<Node> = shared.get("without").map(|list| list.node.clone()).into_iter().collect();
     let Some(members) = document.root.get("members") else {
         return vec![(id.to_owned(), shared, removed)];
@@ -43,55 +45,15 @@ fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<
     let Some(members) = table_of(&members.node, diagnostics) else { return Vec::new() };
     let trees = members.members.iter().filter_map(|member| {
         let own = table_of(&member.node, diagnostics)?;
-        let like = like(&own, &members, diagnostics);
+        let like = like::find(&own, &members, diagnostics);
         let lists = [like.as_deref(), Some(&*own)].into_iter().flatten().filter_map(|t| t.get("without"));
         let removed = removed.iter().cloned().chain(lists.map(|list| list.node.clone())).collect();
         let mut tree = like.iter().fold(shared.clone(), |tree, like| like.over(&tree));
-        tree = own.over(&tree);
+        tree = like::alike(own.over(&tree), diagnostics);
         tree.members.retain(|section| &*section.key.name != "like");
         Some((member.key.name.to_string(), tree, removed))
     });
     trees.collect()
-}
-
-/// The member that another one is like; it must stand for itself.
-fn like(member: &Table, members: &Table, diagnostics: &mut Diagnostics) -> Option<Arc<Table>> {
-    let named = &member.get("like")?.node;
-    let found = match &named.value {
-        Value::String(name) => members.get(name).and_then(|other| other.node.table()),
-        _ => None,
-    };
-    let found = found.filter(|other| other.get("like").is_none()).cloned();
-    if found.is_none() {
-        let names: Vec<&str> = members.members.iter().map(|member| &*member.key.name).collect();
-        let message = "a member can only be like one that is not like another".to_owned();
-        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, named.at, "no such member");
-        diagnostics.push(fault.note(format!("the members are {}", list(&names))));
-    }
-    found
-}
-
-/// Takes out what lists of paths name.
-fn strip(mut tree: Table, lists: &[Node], diagnostics: &mut Diagnostics) -> Table {
-    for list in lists {
-        let Value::Array(paths) = &list.value else {
-            diagnostics.push(wrong_type(list, "an array of paths"));
-            continue;
-        };
-        for path in paths.iter() {
-            let Value::String(text) = &path.value else {
-                diagnostics.push(wrong_type(path, "a path such as \"objects.0x6098\""));
-                continue;
-            };
-            if !compose::take_out(&mut tree, text) {
-                let message = format!("nothing stands at `{text}`");
-                let label = "cannot be left out";
-                diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, path.at, label));
-            }
-        }
-    }
-    tree.members.retain(|member| &*member.key.name != "without");
-    tree
 }
 
 fn device(id: String, tree: &Table, diagnostics: &mut Diagnostics) -> Option<RawDevice> {
@@ -241,12 +203,6 @@ impl Sections<'_> {
             }
         }
     }
-}
-
-fn wrong_type(node: &Node, expected: &str) -> Diagnostic {
-    let found = node.value.kind();
-    let message = format!("expected {expected}, found {found}");
-    Diagnostic::new(&faults::WRONG_TYPE, message, node.at, format!("this is {found}"))
 }
 
 fn table_of(node: &Node, diagnostics: &mut Diagnostics) -> Option<Arc<Table>> {

@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::objects::{category, sibling_id};
-use super::{facts, keys, values};
+use super::{facts, keys, numbered, values};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Access, Address, Category, DataType, Entry, Index, Mappable, Provenance, Trigger, Value};
 use crate::raw::{Entity, ObjectEntity, RawAccess, RawEntry, RawFacts, RawMappable, RawTrigger};
@@ -33,6 +33,9 @@ pub(super) fn several(context: &mut Context<'_>, entity: &ObjectEntity, index: I
             continue;
         };
         let many = range.start() != range.end();
+        if many {
+            report_braces(context, raw);
+        }
         for subindex in range {
             let address = Address { index, subindex };
             if let Some(other) = entries.iter().find(|entry| entry.address == address) {
@@ -42,7 +45,13 @@ pub(super) fn several(context: &mut Context<'_>, entity: &ObjectEntity, index: I
                 continue;
             }
             let name = name(raw, subindex, many);
-            entries.extend(member(context, entity, raw, address, &name, &mut ids));
+            let mut found = member(context, entity, raw, address, &name, &mut ids);
+            if let Some(parameter) =
+                found.as_mut().and_then(|entry| entry.parameter.as_mut()).filter(|_| many)
+            {
+                *parameter = numbered::of(parameter, subindex);
+            }
+            entries.extend(found);
         }
     }
     entries.sort_by_key(|entry| entry.address.subindex);
@@ -55,8 +64,19 @@ pub(super) fn several(context: &mut Context<'_>, entity: &ObjectEntity, index: I
     Some(entries)
 }
 
+/// Reports braces that stand for no number.
+fn report_braces(context: &mut Context<'_>, raw: &Entity<RawEntry>) {
+    for (key, text) in [("name", &raw.raw.name), ("parameter", &raw.raw.parameter)] {
+        let braced = text.as_ref().filter(|text| text.contains('{'));
+        if let Some(text) = braced.filter(|text| numbered::numbered(text, 1).is_none()) {
+            context.invalid(text, "`{}`, or a signed number in braces such as `{+8}`", raw.origin.value(key));
+        }
+    }
+}
+
 fn name(raw: &Entity<RawEntry>, subindex: u8, many: bool) -> String {
     match &raw.raw.name {
+        Some(name) if many && name.contains('{') => numbered::of(name, subindex),
         Some(name) if many => format!("{name} {subindex}"),
         Some(name) => name.clone(),
         None if subindex == 0 => COUNT.to_owned(),

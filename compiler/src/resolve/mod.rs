@@ -17,6 +17,7 @@ mod ids;
 mod keys;
 mod modes;
 mod names;
+mod numbered;
 mod objects;
 mod overlay;
 mod parameters;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{ids, keys};
+use super::{ids, keys, numbered};
 use crate::model::{Address, Coordinates, Index};
 use crate::raw::{ObjectEntity, RawDevice};
 use crate::source::near::near;
@@ -76,9 +76,13 @@ impl Names {
 
 /// The parameters behind an object and its entries.
 fn parameters(object: &ObjectEntity, index: Index) -> Vec<(String, Address)> {
-    let entries = object.entries.iter().filter_map(|entry| {
-        let subindex = subindex_of(&entry.key)?;
-        Some((entry.raw.parameter.clone()?, Address { index, subindex }))
+    let entries = object.entries.iter().flat_map(|entry| {
+        let range = keys::range::<u8>(&entry.key).filter(|_| entry.raw.parameter.is_some());
+        let parameter = entry.raw.parameter.as_deref().unwrap_or_default();
+        range
+            .into_iter()
+            .flatten()
+            .map(move |subindex| (numbered::of(parameter, subindex), Address { index, subindex }))
     });
     let own = object.value.parameter.clone().map(|parameter| (parameter, Address { index, subindex: 0 }));
     entries.chain(own).collect()

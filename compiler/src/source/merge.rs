@@ -51,7 +51,8 @@ fn twice(first: &Key, second: &Key) -> Diagnostic {
 
 /// The table with `source` in every entity that does not name its own.
 ///
-/// Entities are the elements of lists of tables, and the members of sections that have only tables.
+/// Entities are the elements of lists of tables, and the members of sections that have only tables. One that is like
+/// another has the source of that.
 pub(super) fn with_default_source(mut table: Table, source: Option<&Member>) -> Table {
     let Some(source) = source else { return table };
     for member in &mut table.members {
@@ -74,6 +75,7 @@ pub(super) fn with_default_source(mut table: Table, source: Option<&Member>) -> 
 fn add_source(entity: &mut Node, source: &Member) {
     if let Value::Table(table) = &mut entity.value
         && table.get(&source.key.name).is_none()
+        && table.get("like").is_none()
     {
         Arc::make_mut(table).members.push(source.clone());
     }

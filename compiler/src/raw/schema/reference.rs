@@ -66,7 +66,8 @@ fn keys(table: &Value) -> String {
     let required = |key: &str| required.is_some_and(|keys| keys.iter().any(|one| one == key));
     let mut text = String::from("| Key | Holds | Needed | Meaning |\n| --- | --- | --- | --- |\n");
     // What every table can say of itself is in the introduction.
-    for (key, schema) in properties.iter().filter(|(key, _)| !matches!(key.as_str(), "source" | "assumed")) {
+    let common = ["source", "assumed", "like", "without"];
+    for (key, schema) in properties.iter().filter(|(key, _)| !common.contains(&key.as_str())) {
         let needed = if required(key) { "yes" } else { "" };
         text.push_str(&format!("| `{key}` | {} | {needed} | {} |\n", kind(schema), about(schema)));
     }

@@ -3,6 +3,7 @@
 use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Map, Value, json};
 
+use super::{text, texts};
 use crate::raw::*;
 
 /// A section: a table at the top of a description.
@@ -127,6 +128,10 @@ impl Section {
             let object = table.clone();
             hold(&mut table, "per-axis", object);
         }
+        if self.shape == Shape::Map {
+            add(&mut table, "like", text("Another table of the section, which this one is laid over."));
+            add(&mut table, "without", texts("Paths of what it does not have of that."));
+        }
         table
     }
 }
@@ -134,6 +139,13 @@ impl Section {
 /// The schema of a type, in place.
 fn own<T: JsonSchema>(generator: &mut SchemaGenerator) -> Value {
     T::json_schema(generator).to_value()
+}
+
+/// Adds a key.
+fn add(table: &mut Value, key: &str, schema: Value) {
+    if let Some(keys) = table.get_mut("properties").and_then(Value::as_object_mut) {
+        keys.insert(key.into(), schema);
+    }
 }
 
 /// Says what the tables within a key hold.
