@@ -1520,20 +1520,12 @@ impl RxPdo1600 {
     }
 }
 
-impl ProcessData for RxPdo1600 {
-    type Device = C887;
-    type Direction = Rx;
-    type Image = [u8; 7];
+::devc_runtime::process_data!(RxPdo1600 : C887, Rx, 7);
 
-    #[inline]
-    fn pack(self) -> Self::Image {
-        self.pack()
-    }
-
-    #[inline]
-    fn unpack(image: Self::Image) -> Self {
-        Self::unpack(image)
-    }
+::devc_runtime::view! {
+    pub RxPdo1600View of RxPdo1600, 7; controlword, set_controlword : Controlword => 0,
+    16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
+    set_target_position : i32 => 24, 32;
 }
 
 impl RxPdo1600 {
@@ -1605,20 +1597,13 @@ impl RxPdo1601 {
     }
 }
 
-impl ProcessData for RxPdo1601 {
-    type Device = C887;
-    type Direction = Rx;
-    type Image = [u8; 15];
+::devc_runtime::process_data!(RxPdo1601 : C887, Rx, 15);
 
-    #[inline]
-    fn pack(self) -> Self::Image {
-        self.pack()
-    }
-
-    #[inline]
-    fn unpack(image: Self::Image) -> Self {
-        Self::unpack(image)
-    }
+::devc_runtime::view! {
+    pub RxPdo1601View of RxPdo1601, 15; controlword, set_controlword : Controlword => 0,
+    16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
+    set_target_position : i32 => 24, 32; profile_velocity, set_profile_velocity : u32 =>
+    56, 32; profile_acceleration, set_profile_acceleration : u32 => 88, 32;
 }
 
 impl RxPdo1601 {
@@ -1684,20 +1669,13 @@ impl TxPdo1A00 {
     }
 }
 
-impl ProcessData for TxPdo1A00 {
-    type Device = C887;
-    type Direction = Tx;
-    type Image = [u8; 11];
+::devc_runtime::process_data!(TxPdo1A00 : C887, Tx, 11);
 
-    #[inline]
-    fn pack(self) -> Self::Image {
-        self.pack()
-    }
-
-    #[inline]
-    fn unpack(image: Self::Image) -> Self {
-        Self::unpack(image)
-    }
+::devc_runtime::view! {
+    pub TxPdo1A00View of TxPdo1A00, 11; statusword, set_statusword : Statusword => 0, 16;
+    modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
+    position_actual_value, set_position_actual_value : i32 => 24, 32;
+    following_error_actual_value, set_following_error_actual_value : i32 => 56, 32;
 }
 
 impl TxPdo1A00 {
@@ -1758,20 +1736,12 @@ impl TxPdo1A01 {
     }
 }
 
-impl ProcessData for TxPdo1A01 {
-    type Device = C887;
-    type Direction = Tx;
-    type Image = [u8; 7];
+::devc_runtime::process_data!(TxPdo1A01 : C887, Tx, 7);
 
-    #[inline]
-    fn pack(self) -> Self::Image {
-        self.pack()
-    }
-
-    #[inline]
-    fn unpack(image: Self::Image) -> Self {
-        Self::unpack(image)
-    }
+::devc_runtime::view! {
+    pub TxPdo1A01View of TxPdo1A01, 7; statusword, set_statusword : Statusword => 0, 16;
+    modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
+    position_actual_value, set_position_actual_value : i32 => 24, 32;
 }
 
 impl TxPdo1A01 {
@@ -1841,20 +1811,11 @@ impl Outputs {
     }
 }
 
-impl ProcessData for Outputs {
-    type Device = C887;
-    type Direction = Rx;
-    type Image = [u8; 42];
+::devc_runtime::process_data!(Outputs : C887, Rx, 42);
 
-    #[inline]
-    fn pack(self) -> Self::Image {
-        self.pack()
-    }
-
-    #[inline]
-    fn unpack(image: Self::Image) -> Self {
-        Self::unpack(image)
-    }
+::devc_runtime::view! {
+    pub OutputsView of PDOs in Outputs, 42; axes, axes_mut : [RxPdo1600; axis_x, axis_y,
+    axis_z, axis_u, axis_v, axis_w] => 0;
 }
 
 /// The inputs of the master with the PDOs assigned by default, 66 bytes.
@@ -1906,20 +1867,11 @@ impl Inputs {
     }
 }
 
-impl ProcessData for Inputs {
-    type Device = C887;
-    type Direction = Tx;
-    type Image = [u8; 66];
+::devc_runtime::process_data!(Inputs : C887, Tx, 66);
 
-    #[inline]
-    fn pack(self) -> Self::Image {
-        self.pack()
-    }
-
-    #[inline]
-    fn unpack(image: Self::Image) -> Self {
-        Self::unpack(image)
-    }
+::devc_runtime::view! {
+    pub InputsView of PDOs in Inputs, 66; axes, axes_mut : [TxPdo1A00; axis_x, axis_y,
+    axis_z, axis_u, axis_v, axis_w] => 0;
 }
 
 /// How the statusword shows the states.

@@ -2703,20 +2703,16 @@ pub mod double {
         }
     }
 
-    impl ProcessData for RxPdo1600 {
-        type Device = Double;
-        type Direction = Rx;
-        type Image = [u8; 23];
+    ::devc_runtime::process_data!(RxPdo1600 : Double, Rx, 23);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
+        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
+        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
+        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
+        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
+        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
+        PhysicalOutputs => 152, 32;
     }
 
     impl RxPdo1600 {
@@ -2823,20 +2819,20 @@ pub mod double {
         }
     }
 
-    impl ProcessData for TxPdo1A00 {
-        type Device = Double;
-        type Direction = Tx;
-        type Image = [u8; 29];
+    ::devc_runtime::process_data!(TxPdo1A00 : Double, Tx, 29);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
+        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
+        position_actual_value, set_position_actual_value : i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
+        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value,
+        set_additional_position_actual_value_1st_additional_position_actual_value : i32
+        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
     }
 
     impl TxPdo1A00 {
@@ -2914,20 +2910,11 @@ pub mod double {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = Double;
-        type Direction = Rx;
-        type Image = [u8; 46];
+    ::devc_runtime::process_data!(Outputs : Double, Rx, 46);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 46; axes, axes_mut : [RxPdo1600; axis_a,
+        axis_b] => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
@@ -2979,20 +2966,11 @@ pub mod double {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = Double;
-        type Direction = Tx;
-        type Image = [u8; 58];
+    ::devc_runtime::process_data!(Inputs : Double, Tx, 58);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 58; axes, axes_mut : [TxPdo1A00; axis_a,
+        axis_b] => 0;
     }
 
     /// How the statusword shows the states.
@@ -6601,20 +6579,16 @@ pub mod single {
         }
     }
 
-    impl ProcessData for RxPdo1600 {
-        type Device = Single;
-        type Direction = Rx;
-        type Image = [u8; 23];
+    ::devc_runtime::process_data!(RxPdo1600 : Single, Rx, 23);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
+        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
+        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
+        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
+        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
+        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
+        PhysicalOutputs => 152, 32;
     }
 
     impl Pdo for RxPdo1600 {
@@ -6709,20 +6683,20 @@ pub mod single {
         }
     }
 
-    impl ProcessData for TxPdo1A00 {
-        type Device = Single;
-        type Direction = Tx;
-        type Image = [u8; 29];
+    ::devc_runtime::process_data!(TxPdo1A00 : Single, Tx, 29);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
+        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
+        position_actual_value, set_position_actual_value : i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
+        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value,
+        set_additional_position_actual_value_1st_additional_position_actual_value : i32
+        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
     }
 
     impl Pdo for TxPdo1A00 {
@@ -6777,20 +6751,11 @@ pub mod single {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = Single;
-        type Direction = Rx;
-        type Image = [u8; 23];
+    ::devc_runtime::process_data!(Outputs : Single, Rx, 23);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 23; rx_pdo_1600, rx_pdo_1600_mut : RxPdo1600
+        => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
@@ -6831,20 +6796,11 @@ pub mod single {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = Single;
-        type Direction = Tx;
-        type Image = [u8; 29];
+    ::devc_runtime::process_data!(Inputs : Single, Tx, 29);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 29; tx_pdo_1a00, tx_pdo_1a00_mut : TxPdo1A00 =>
+        0;
     }
 
     /// How the statusword shows the states.
@@ -10738,20 +10694,16 @@ pub mod double_hires {
         }
     }
 
-    impl ProcessData for RxPdo1600 {
-        type Device = DoubleHires;
-        type Direction = Rx;
-        type Image = [u8; 23];
+    ::devc_runtime::process_data!(RxPdo1600 : DoubleHires, Rx, 23);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
+        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
+        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
+        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
+        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
+        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
+        PhysicalOutputs => 152, 32;
     }
 
     impl RxPdo1600 {
@@ -10858,20 +10810,20 @@ pub mod double_hires {
         }
     }
 
-    impl ProcessData for TxPdo1A00 {
-        type Device = DoubleHires;
-        type Direction = Tx;
-        type Image = [u8; 29];
+    ::devc_runtime::process_data!(TxPdo1A00 : DoubleHires, Tx, 29);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
+        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
+        position_actual_value, set_position_actual_value : i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
+        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value,
+        set_additional_position_actual_value_1st_additional_position_actual_value : i32
+        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
     }
 
     impl TxPdo1A00 {
@@ -10949,20 +10901,11 @@ pub mod double_hires {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = DoubleHires;
-        type Direction = Rx;
-        type Image = [u8; 46];
+    ::devc_runtime::process_data!(Outputs : DoubleHires, Rx, 46);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 46; axes, axes_mut : [RxPdo1600; axis_a,
+        axis_b] => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
@@ -11014,20 +10957,11 @@ pub mod double_hires {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = DoubleHires;
-        type Direction = Tx;
-        type Image = [u8; 58];
+    ::devc_runtime::process_data!(Inputs : DoubleHires, Tx, 58);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 58; axes, axes_mut : [TxPdo1A00; axis_a,
+        axis_b] => 0;
     }
 
     /// How the statusword shows the states.
@@ -14714,20 +14648,16 @@ pub mod single_hires {
         }
     }
 
-    impl ProcessData for RxPdo1600 {
-        type Device = SingleHires;
-        type Direction = Rx;
-        type Image = [u8; 23];
+    ::devc_runtime::process_data!(RxPdo1600 : SingleHires, Rx, 23);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
+        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
+        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
+        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
+        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
+        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
+        PhysicalOutputs => 152, 32;
     }
 
     impl Pdo for RxPdo1600 {
@@ -14822,20 +14752,20 @@ pub mod single_hires {
         }
     }
 
-    impl ProcessData for TxPdo1A00 {
-        type Device = SingleHires;
-        type Direction = Tx;
-        type Image = [u8; 29];
+    ::devc_runtime::process_data!(TxPdo1A00 : SingleHires, Tx, 29);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
+        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
+        position_actual_value, set_position_actual_value : i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
+        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value,
+        set_additional_position_actual_value_1st_additional_position_actual_value : i32
+        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
     }
 
     impl Pdo for TxPdo1A00 {
@@ -14890,20 +14820,11 @@ pub mod single_hires {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = SingleHires;
-        type Direction = Rx;
-        type Image = [u8; 23];
+    ::devc_runtime::process_data!(Outputs : SingleHires, Rx, 23);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 23; rx_pdo_1600, rx_pdo_1600_mut : RxPdo1600
+        => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
@@ -14944,20 +14865,11 @@ pub mod single_hires {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = SingleHires;
-        type Direction = Tx;
-        type Image = [u8; 29];
+    ::devc_runtime::process_data!(Inputs : SingleHires, Tx, 29);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 29; tx_pdo_1a00, tx_pdo_1a00_mut : TxPdo1A00 =>
+        0;
     }
 
     /// How the statusword shows the states.

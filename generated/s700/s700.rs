@@ -2181,20 +2181,11 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1600 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 2];
+    ::devc_runtime::process_data!(RxPdo1600 : S300, Rx, 2);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1600View of RxPdo1600, 2; controlword, set_controlword : Controlword =>
+        0, 16;
     }
 
     impl Pdo for RxPdo1600 {
@@ -2234,20 +2225,11 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1701 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1701 : S300, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
@@ -2290,20 +2272,11 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1702 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1702 : S300, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
@@ -2346,20 +2319,11 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1703 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 4];
+    ::devc_runtime::process_data!(RxPdo1703 : S300, Rx, 4);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
+        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
@@ -2414,20 +2378,14 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1704 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1704 : S300, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
+        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16;
     }
 
     impl Pdo for RxPdo1704 {
@@ -2485,20 +2443,14 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1705 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1705 : S300, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
@@ -2552,20 +2504,13 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1706 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(RxPdo1706 : S300, Rx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
@@ -2628,20 +2573,14 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1707 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1707 : S300, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
@@ -2710,20 +2649,15 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1708 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 18];
+    ::devc_runtime::process_data!(RxPdo1708 : S300, Rx, 18);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
+        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
@@ -2775,20 +2709,12 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo170A {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 8];
+    ::devc_runtime::process_data!(RxPdo170A : S300, Rx, 8);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo170AView of RxPdo170A, 8; position_setpoint, set_position_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16; digital_outputs,
+        set_digital_outputs : DigitalOutputs => 48, 16;
     }
 
     impl Pdo for RxPdo170A {
@@ -2863,20 +2789,18 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1710 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 26];
+    ::devc_runtime::process_data!(RxPdo1710 : S300, Rx, 26);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1710View of RxPdo1710, 26; motion_task_target_position,
+        set_motion_task_target_position : i32 => 0, 32; motion_task_target_velocity,
+        set_motion_task_target_velocity : i32 => 32, 32; motion_task_control_word,
+        set_motion_task_control_word : i32 => 64, 32; motion_task_acceleration,
+        set_motion_task_acceleration : i32 => 96, 32; motion_task_deceleration,
+        set_motion_task_deceleration : i32 => 128, 32; motion_task_profile_number,
+        set_motion_task_profile_number : i32 => 160, 16; controlword, set_controlword :
+        Controlword => 176, 16; latch_controlword, set_latch_controlword :
+        LatchControlword => 192, 16;
     }
 
     impl Pdo for RxPdo1710 {
@@ -2943,20 +2867,15 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1711 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1711 : S300, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1711View of RxPdo1711, 16; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
+        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16; latch_controlword, set_latch_controlword :
+        LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1711 {
@@ -3021,20 +2940,15 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1712 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1712 : S300, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1712View of RxPdo1712, 16; velocity_setpoint, set_velocity_setpoint :
+        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
+        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16; latch_controlword, set_latch_controlword :
+        LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1712 {
@@ -3099,20 +3013,15 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for RxPdo1714 {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 20];
+    ::devc_runtime::process_data!(RxPdo1714 : S300, Rx, 20);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1714View of RxPdo1714, 20; controlword, set_controlword : Controlword =>
+        0, 16; dprvar_2_low, set_dprvar_2_low : i16 => 16, 16; dprvar_set_dprvar3,
+        set_dprvar_set_dprvar3 : i32 => 32, 32; dprvar_set_dprvar4,
+        set_dprvar_set_dprvar4 : i32 => 64, 32; dprvar_set_dprvar5,
+        set_dprvar_set_dprvar5 : i32 => 96, 32; dprvar_set_dprvar6,
+        set_dprvar_set_dprvar6 : i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -3153,20 +3062,11 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1A00 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 2];
+    ::devc_runtime::process_data!(TxPdo1A00 : S300, Tx, 2);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1A00View of TxPdo1A00, 2; statusword, set_statusword : Statusword => 0,
+        16;
     }
 
     impl Pdo for TxPdo1A00 {
@@ -3206,20 +3106,12 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B01 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(TxPdo1B01 : S300, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
@@ -3264,20 +3156,13 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B03 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 8];
+    ::devc_runtime::process_data!(TxPdo1B03 : S300, Tx, 8);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
+        => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
@@ -3327,20 +3212,13 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B04 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 10];
+    ::devc_runtime::process_data!(TxPdo1B04 : S300, Tx, 10);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
+        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
@@ -3391,20 +3269,14 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B05 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B05 : S300, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
+        Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
@@ -3455,20 +3327,13 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B06 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B06 : S300, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
+        48, 16; latch_position, set_latch_position : i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
@@ -3537,20 +3402,16 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B07 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 22];
+    ::devc_runtime::process_data!(TxPdo1B07 : S300, Tx, 22);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
+        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
+        set_current_actual_value : i16 => 64, 16; internal_following_error,
+        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
+        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
+        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
@@ -3618,20 +3479,16 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B08 {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 20];
+    ::devc_runtime::process_data!(TxPdo1B08 : S300, Tx, 20);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
+        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
+        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
+        latch_position, set_latch_position : i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
@@ -3685,20 +3542,13 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B0A {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 10];
+    ::devc_runtime::process_data!(TxPdo1B0A : S300, Tx, 10);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B0AView of TxPdo1B0A, 10; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; opmode_message, set_opmode_message :
+        i16 => 32, 16; statusword, set_statusword : Statusword => 48, 16; digital_io,
+        set_digital_io : DigitalIo => 64, 16;
     }
 
     impl Pdo for TxPdo1B0A {
@@ -3791,20 +3641,20 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B0B {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 40];
+    ::devc_runtime::process_data!(TxPdo1B0B : S300, Tx, 40);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B0BView of TxPdo1B0B, 40; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
+        set_position_actual_value_2 : i32 => 32, 32; velocity_actual_value,
+        set_velocity_actual_value : i32 => 64, 32; current_actual_value,
+        set_current_actual_value : i16 => 96, 16; statusword, set_statusword : Statusword
+        => 112, 16; drive_errors, set_drive_errors : i32 => 128, 32; drive_warnings,
+        set_drive_warnings : i32 => 160, 32; digital_io, set_digital_io : DigitalIo =>
+        192, 32; analog_inputs_analog_input_1, set_analog_inputs_analog_input_1 : i16 =>
+        224, 16; analog_inputs_analog_input_2, set_analog_inputs_analog_input_2 : i16 =>
+        240, 16; internal_following_error, set_internal_following_error : i32 => 256, 32;
+        motion_task_status, set_motion_task_status : i32 => 288, 32;
     }
 
     impl Pdo for TxPdo1B0B {
@@ -3891,20 +3741,21 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for TxPdo1B0C {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 28];
+    ::devc_runtime::process_data!(TxPdo1B0C : S300, Tx, 28);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B0CView of TxPdo1B0C, 28; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; velocity_actual_value,
+        set_velocity_actual_value : i32 => 32, 32; statusword, set_statusword :
+        Statusword => 64, 16; dprvar_actual_low_dprvar9_lower_16_bits,
+        set_dprvar_actual_low_dprvar9_lower_16_bits : i16 => 80, 16;
+        dprvar_actual_dprvar10, set_dprvar_actual_dprvar10 : i32 => 96, 32;
+        dprvar_actual_dprvar11, set_dprvar_actual_dprvar11 : i32 => 128, 32;
+        dprvar_actual_low_dprvar12_lower_16_bits,
+        set_dprvar_actual_low_dprvar12_lower_16_bits : i16 => 160, 16;
+        dprvar_actual_low_dprvar13_lower_16_bits,
+        set_dprvar_actual_low_dprvar13_lower_16_bits : i16 => 176, 16;
+        dprvar_actual_dprvar14, set_dprvar_actual_dprvar14 : i32 => 192, 32;
     }
 
     impl Pdo for TxPdo1B0C {
@@ -3946,20 +3797,11 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = S300;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Outputs : S300, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1702, rx_pdo_1702_mut : RxPdo1702
+        => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -3986,20 +3828,11 @@ pub mod s300 {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = S300;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Inputs : S300, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
+        0;
     }
 
     /// How the statusword shows the states.
@@ -6900,20 +6733,11 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1701 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1701 : S400, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
@@ -6956,20 +6780,11 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1702 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1702 : S400, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
@@ -7012,20 +6827,11 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1703 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 4];
+    ::devc_runtime::process_data!(RxPdo1703 : S400, Rx, 4);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
+        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
@@ -7080,20 +6886,14 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1704 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1704 : S400, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
+        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16;
     }
 
     impl Pdo for RxPdo1704 {
@@ -7151,20 +6951,14 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1705 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1705 : S400, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
@@ -7218,20 +7012,13 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1706 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(RxPdo1706 : S400, Rx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
@@ -7294,20 +7081,14 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1707 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1707 : S400, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
@@ -7376,20 +7157,15 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for RxPdo1708 {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 18];
+    ::devc_runtime::process_data!(RxPdo1708 : S400, Rx, 18);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
+        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
@@ -7437,20 +7213,12 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for TxPdo1B01 {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(TxPdo1B01 : S400, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
@@ -7495,20 +7263,13 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for TxPdo1B03 {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 8];
+    ::devc_runtime::process_data!(TxPdo1B03 : S400, Tx, 8);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
+        => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
@@ -7558,20 +7319,13 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for TxPdo1B04 {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 10];
+    ::devc_runtime::process_data!(TxPdo1B04 : S400, Tx, 10);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
+        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
@@ -7622,20 +7376,14 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for TxPdo1B05 {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B05 : S400, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
+        Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
@@ -7686,20 +7434,13 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for TxPdo1B06 {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B06 : S400, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
+        48, 16; latch_position, set_latch_position : i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
@@ -7768,20 +7509,16 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for TxPdo1B07 {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 22];
+    ::devc_runtime::process_data!(TxPdo1B07 : S400, Tx, 22);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
+        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
+        set_current_actual_value : i16 => 64, 16; internal_following_error,
+        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
+        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
+        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
@@ -7849,20 +7586,16 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for TxPdo1B08 {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 20];
+    ::devc_runtime::process_data!(TxPdo1B08 : S400, Tx, 20);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
+        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
+        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
+        latch_position, set_latch_position : i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
@@ -7902,20 +7635,11 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = S400;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Outputs : S400, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1701, rx_pdo_1701_mut : RxPdo1701
+        => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -7942,20 +7666,11 @@ pub mod s400 {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = S400;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Inputs : S400, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
+        0;
     }
 
     /// How the statusword shows the states.
@@ -10793,20 +10508,11 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1701 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1701 : S600, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
@@ -10849,20 +10555,11 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1702 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1702 : S600, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
@@ -10905,20 +10602,11 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1703 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 4];
+    ::devc_runtime::process_data!(RxPdo1703 : S600, Rx, 4);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
+        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
@@ -10973,20 +10661,14 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1704 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1704 : S600, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
+        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16;
     }
 
     impl Pdo for RxPdo1704 {
@@ -11044,20 +10726,14 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1705 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1705 : S600, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
@@ -11111,20 +10787,13 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1706 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(RxPdo1706 : S600, Rx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
@@ -11187,20 +10856,14 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1707 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1707 : S600, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
@@ -11269,20 +10932,15 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for RxPdo1708 {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 18];
+    ::devc_runtime::process_data!(RxPdo1708 : S600, Rx, 18);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
+        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
@@ -11330,20 +10988,12 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for TxPdo1B01 {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(TxPdo1B01 : S600, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
@@ -11388,20 +11038,13 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for TxPdo1B03 {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 8];
+    ::devc_runtime::process_data!(TxPdo1B03 : S600, Tx, 8);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
+        => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
@@ -11451,20 +11094,13 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for TxPdo1B04 {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 10];
+    ::devc_runtime::process_data!(TxPdo1B04 : S600, Tx, 10);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
+        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
@@ -11515,20 +11151,14 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for TxPdo1B05 {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B05 : S600, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
+        Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
@@ -11579,20 +11209,13 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for TxPdo1B06 {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B06 : S600, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
+        48, 16; latch_position, set_latch_position : i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
@@ -11661,20 +11284,16 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for TxPdo1B07 {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 22];
+    ::devc_runtime::process_data!(TxPdo1B07 : S600, Tx, 22);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
+        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
+        set_current_actual_value : i16 => 64, 16; internal_following_error,
+        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
+        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
+        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
@@ -11742,20 +11361,16 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for TxPdo1B08 {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 20];
+    ::devc_runtime::process_data!(TxPdo1B08 : S600, Tx, 20);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
+        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
+        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
+        latch_position, set_latch_position : i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
@@ -11795,20 +11410,11 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = S600;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Outputs : S600, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1701, rx_pdo_1701_mut : RxPdo1701
+        => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -11835,20 +11441,11 @@ pub mod s600 {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = S600;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Inputs : S600, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
+        0;
     }
 
     /// How the statusword shows the states.
@@ -14958,20 +14555,11 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1600 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 2];
+    ::devc_runtime::process_data!(RxPdo1600 : S700, Rx, 2);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1600View of RxPdo1600, 2; controlword, set_controlword : Controlword =>
+        0, 16;
     }
 
     impl Pdo for RxPdo1600 {
@@ -15011,20 +14599,11 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1701 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1701 : S700, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
@@ -15067,20 +14646,11 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1702 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(RxPdo1702 : S700, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
@@ -15123,20 +14693,11 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1703 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 4];
+    ::devc_runtime::process_data!(RxPdo1703 : S700, Rx, 4);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
+        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
@@ -15191,20 +14752,14 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1704 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1704 : S700, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
+        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16;
     }
 
     impl Pdo for RxPdo1704 {
@@ -15262,20 +14817,14 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1705 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 14];
+    ::devc_runtime::process_data!(RxPdo1705 : S700, Rx, 14);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
@@ -15329,20 +14878,13 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1706 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(RxPdo1706 : S700, Rx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
@@ -15405,20 +14947,14 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1707 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1707 : S700, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
+        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
@@ -15487,20 +15023,15 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1708 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 18];
+    ::devc_runtime::process_data!(RxPdo1708 : S700, Rx, 18);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
+        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
+        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
+        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
+        set_latch_controlword : LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
@@ -15552,20 +15083,12 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo170A {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 8];
+    ::devc_runtime::process_data!(RxPdo170A : S700, Rx, 8);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo170AView of RxPdo170A, 8; position_setpoint, set_position_setpoint : i32
+        => 0, 32; controlword, set_controlword : Controlword => 32, 16; digital_outputs,
+        set_digital_outputs : DigitalOutputs => 48, 16;
     }
 
     impl Pdo for RxPdo170A {
@@ -15640,20 +15163,18 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1710 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 26];
+    ::devc_runtime::process_data!(RxPdo1710 : S700, Rx, 26);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1710View of RxPdo1710, 26; motion_task_target_position,
+        set_motion_task_target_position : i32 => 0, 32; motion_task_target_velocity,
+        set_motion_task_target_velocity : i32 => 32, 32; motion_task_control_word,
+        set_motion_task_control_word : i32 => 64, 32; motion_task_acceleration,
+        set_motion_task_acceleration : i32 => 96, 32; motion_task_deceleration,
+        set_motion_task_deceleration : i32 => 128, 32; motion_task_profile_number,
+        set_motion_task_profile_number : i32 => 160, 16; controlword, set_controlword :
+        Controlword => 176, 16; latch_controlword, set_latch_controlword :
+        LatchControlword => 192, 16;
     }
 
     impl Pdo for RxPdo1710 {
@@ -15720,20 +15241,15 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1711 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1711 : S700, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1711View of RxPdo1711, 16; position_setpoint, set_position_setpoint :
+        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
+        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16; latch_controlword, set_latch_controlword :
+        LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1711 {
@@ -15798,20 +15314,15 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1712 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 16];
+    ::devc_runtime::process_data!(RxPdo1712 : S700, Rx, 16);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1712View of RxPdo1712, 16; velocity_setpoint, set_velocity_setpoint :
+        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
+        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
+        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
+        Controlword => 96, 16; latch_controlword, set_latch_controlword :
+        LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1712 {
@@ -15876,20 +15387,15 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for RxPdo1714 {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 20];
+    ::devc_runtime::process_data!(RxPdo1714 : S700, Rx, 20);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub RxPdo1714View of RxPdo1714, 20; controlword, set_controlword : Controlword =>
+        0, 16; dprvar_2_low, set_dprvar_2_low : i16 => 16, 16; dprvar_set_dprvar3,
+        set_dprvar_set_dprvar3 : i32 => 32, 32; dprvar_set_dprvar4,
+        set_dprvar_set_dprvar4 : i32 => 64, 32; dprvar_set_dprvar5,
+        set_dprvar_set_dprvar5 : i32 => 96, 32; dprvar_set_dprvar6,
+        set_dprvar_set_dprvar6 : i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -15930,20 +15436,11 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1A00 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 2];
+    ::devc_runtime::process_data!(TxPdo1A00 : S700, Tx, 2);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1A00View of TxPdo1A00, 2; statusword, set_statusword : Statusword => 0,
+        16;
     }
 
     impl Pdo for TxPdo1A00 {
@@ -15983,20 +15480,12 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B01 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(TxPdo1B01 : S700, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
@@ -16041,20 +15530,13 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B03 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 8];
+    ::devc_runtime::process_data!(TxPdo1B03 : S700, Tx, 8);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
+        => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
@@ -16104,20 +15586,13 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B04 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 10];
+    ::devc_runtime::process_data!(TxPdo1B04 : S700, Tx, 10);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
+        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
@@ -16168,20 +15643,14 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B05 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B05 : S700, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
+        Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
@@ -16232,20 +15701,13 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B06 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 12];
+    ::devc_runtime::process_data!(TxPdo1B06 : S700, Tx, 12);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
+        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
+        48, 16; latch_position, set_latch_position : i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
@@ -16314,20 +15776,16 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B07 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 22];
+    ::devc_runtime::process_data!(TxPdo1B07 : S700, Tx, 22);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
+        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
+        set_current_actual_value : i16 => 64, 16; internal_following_error,
+        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
+        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
+        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
@@ -16395,20 +15853,16 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B08 {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 20];
+    ::devc_runtime::process_data!(TxPdo1B08 : S700, Tx, 20);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
+        set_current_actual_value : i16 => 32, 16; internal_following_error,
+        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
+        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
+        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
+        latch_position, set_latch_position : i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
@@ -16462,20 +15916,13 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B0A {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 10];
+    ::devc_runtime::process_data!(TxPdo1B0A : S700, Tx, 10);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B0AView of TxPdo1B0A, 10; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; opmode_message, set_opmode_message :
+        i16 => 32, 16; statusword, set_statusword : Statusword => 48, 16; digital_io,
+        set_digital_io : DigitalIo => 64, 16;
     }
 
     impl Pdo for TxPdo1B0A {
@@ -16568,20 +16015,20 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B0B {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 40];
+    ::devc_runtime::process_data!(TxPdo1B0B : S700, Tx, 40);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B0BView of TxPdo1B0B, 40; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
+        set_position_actual_value_2 : i32 => 32, 32; velocity_actual_value,
+        set_velocity_actual_value : i32 => 64, 32; current_actual_value,
+        set_current_actual_value : i16 => 96, 16; statusword, set_statusword : Statusword
+        => 112, 16; drive_errors, set_drive_errors : i32 => 128, 32; drive_warnings,
+        set_drive_warnings : i32 => 160, 32; digital_io, set_digital_io : DigitalIo =>
+        192, 32; analog_inputs_analog_input_1, set_analog_inputs_analog_input_1 : i16 =>
+        224, 16; analog_inputs_analog_input_2, set_analog_inputs_analog_input_2 : i16 =>
+        240, 16; internal_following_error, set_internal_following_error : i32 => 256, 32;
+        motion_task_status, set_motion_task_status : i32 => 288, 32;
     }
 
     impl Pdo for TxPdo1B0B {
@@ -16668,20 +16115,21 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for TxPdo1B0C {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 28];
+    ::devc_runtime::process_data!(TxPdo1B0C : S700, Tx, 28);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub TxPdo1B0CView of TxPdo1B0C, 28; position_actual_value_1,
+        set_position_actual_value_1 : i32 => 0, 32; velocity_actual_value,
+        set_velocity_actual_value : i32 => 32, 32; statusword, set_statusword :
+        Statusword => 64, 16; dprvar_actual_low_dprvar9_lower_16_bits,
+        set_dprvar_actual_low_dprvar9_lower_16_bits : i16 => 80, 16;
+        dprvar_actual_dprvar10, set_dprvar_actual_dprvar10 : i32 => 96, 32;
+        dprvar_actual_dprvar11, set_dprvar_actual_dprvar11 : i32 => 128, 32;
+        dprvar_actual_low_dprvar12_lower_16_bits,
+        set_dprvar_actual_low_dprvar12_lower_16_bits : i16 => 160, 16;
+        dprvar_actual_low_dprvar13_lower_16_bits,
+        set_dprvar_actual_low_dprvar13_lower_16_bits : i16 => 176, 16;
+        dprvar_actual_dprvar14, set_dprvar_actual_dprvar14 : i32 => 192, 32;
     }
 
     impl Pdo for TxPdo1B0C {
@@ -16723,20 +16171,11 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for Outputs {
-        type Device = S700;
-        type Direction = Rx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Outputs : S700, Rx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1702, rx_pdo_1702_mut : RxPdo1702
+        => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -16763,20 +16202,11 @@ pub mod s700 {
         }
     }
 
-    impl ProcessData for Inputs {
-        type Device = S700;
-        type Direction = Tx;
-        type Image = [u8; 6];
+    ::devc_runtime::process_data!(Inputs : S700, Tx, 6);
 
-        #[inline]
-        fn pack(self) -> Self::Image {
-            self.pack()
-        }
-
-        #[inline]
-        fn unpack(image: Self::Image) -> Self {
-            Self::unpack(image)
-        }
+    ::devc_runtime::view! {
+        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
+        0;
     }
 
     /// How the statusword shows the states.

@@ -8,9 +8,12 @@ mod sealed {
 }
 
 /// An array `[u8; N]`, for code that is generic over N without naming it.
-pub trait ByteArray: Copy + AsRef<[u8]> + AsMut<[u8]> + sealed::Sealed {
+pub trait ByteArray: Copy + AsRef<[u8]> + AsMut<[u8]> + sealed::Sealed + 'static {
     /// Number of bytes.
     const LEN: usize;
+
+    /// All bytes 0.
+    const ZERO: Self;
 
     /// The slice as an array, if it has exactly this many bytes.
     fn from_slice(bytes: &[u8]) -> Result<&Self, WrongLength>;
@@ -21,6 +24,7 @@ pub trait ByteArray: Copy + AsRef<[u8]> + AsMut<[u8]> + sealed::Sealed {
 
 impl<const N: usize> ByteArray for [u8; N] {
     const LEN: usize = N;
+    const ZERO: Self = [0; N];
 
     #[inline]
     fn from_slice(bytes: &[u8]) -> Result<&Self, WrongLength> {

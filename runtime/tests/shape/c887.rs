@@ -9,7 +9,7 @@ use devc_runtime::cia402::{
 };
 use devc_runtime::error::{self, ErrorInfo, ErrorRange};
 use devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, Value};
-use devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+use devc_runtime::pdo::{Mapping, Pdo, Rx, Tx};
 use devc_runtime::sdo::{Access, DataType, Dictionary, EntryInfo, NONE, ObjectCode, ObjectInfo, Page};
 use devc_runtime::unit::Scale;
 
@@ -173,18 +173,13 @@ impl RxPdo1600 {
     }
 }
 
-impl ProcessData for RxPdo1600 {
-    type Device = C887;
-    type Direction = Rx;
-    type Image = [u8; 7];
-    #[inline]
-    fn pack(self) -> [u8; 7] {
-        self.pack()
-    }
-    #[inline]
-    fn unpack(image: [u8; 7]) -> Self {
-        Self::unpack(image)
-    }
+devc_runtime::process_data!(RxPdo1600: C887, Rx, 7);
+
+devc_runtime::view! {
+    pub RxPdo1600View of RxPdo1600, 7;
+    controlword, set_controlword: Controlword => 0, 16;
+    modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+    target_position, set_target_position: i32 => 24, 32;
 }
 
 impl Pdo for RxPdo1600 {
@@ -237,18 +232,14 @@ impl TxPdo1A00 {
     }
 }
 
-impl ProcessData for TxPdo1A00 {
-    type Device = C887;
-    type Direction = Tx;
-    type Image = [u8; 11];
-    #[inline]
-    fn pack(self) -> [u8; 11] {
-        self.pack()
-    }
-    #[inline]
-    fn unpack(image: [u8; 11]) -> Self {
-        Self::unpack(image)
-    }
+devc_runtime::process_data!(TxPdo1A00: C887, Tx, 11);
+
+devc_runtime::view! {
+    pub TxPdo1A00View of TxPdo1A00, 11;
+    statusword, set_statusword: Statusword => 0, 16;
+    modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+    position_actual_value, set_position_actual_value: i32 => 24, 32;
+    following_error_actual_value, set_following_error_actual_value: i32 => 56, 32;
 }
 
 impl Pdo for TxPdo1A00 {

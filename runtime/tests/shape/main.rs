@@ -2,6 +2,9 @@
 
 mod c887;
 mod dictionary;
+#[cfg(feature = "ethercrab")]
+mod ethercrab;
 mod numbers;
 mod process_data;
+mod views;
 mod words;

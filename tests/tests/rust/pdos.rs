@@ -3,7 +3,7 @@
 use devc_generated::c887::*;
 use devc_runtime::bytes::ByteArray;
 use devc_runtime::object::Address;
-use devc_runtime::pdo::{Mapping, Pdo, ProcessData};
+use devc_runtime::pdo::{InPlace, Mapping, Pdo, ProcessData};
 use devc_tests::manual::c887::{Assigned, Mapped};
 use devc_tests::manual::{Direction, rows};
 
@@ -51,6 +51,63 @@ fn packing_loses_nothing() {
     check_packing::<TxPdo1A01>([0; 7]);
     check_packing::<Outputs>([0; 42]);
     check_packing::<Inputs>([0; 66]);
+}
+
+/// Each field in place is the field by value, and writing all of them writes the image.
+macro_rules! check_view {
+    ($pdo:ty, $zero:expr; $($get:ident $set:ident)+) => {
+        for image in images($zero) {
+            let value = <$pdo>::unpack(image);
+            let view = <$pdo>::view(&image);
+            $(assert_eq!(view.$get(), value.$get);)+
+            let mut written = $zero;
+            let mut view = <$pdo>::view(&mut written);
+            $(view.$set(value.$get);)+
+            assert_eq!(written, value.pack());
+        }
+    };
+}
+
+#[test]
+fn fields_in_place_are_the_fields_by_value() {
+    check_view!(RxPdo1600, [0; 7];
+        controlword set_controlword
+        modes_of_operation set_modes_of_operation
+        target_position set_target_position);
+    check_view!(TxPdo1A00, [0; 11];
+        statusword set_statusword
+        modes_of_operation_display set_modes_of_operation_display
+        position_actual_value set_position_actual_value
+        following_error_actual_value set_following_error_actual_value);
+    use devc_generated::s700::s700::TxPdo1B0B;
+    check_view!(TxPdo1B0B, [0; 40];
+        position_actual_value_1 set_position_actual_value_1
+        position_actual_value_2 set_position_actual_value_2
+        velocity_actual_value set_velocity_actual_value
+        current_actual_value set_current_actual_value
+        statusword set_statusword
+        drive_errors set_drive_errors
+        drive_warnings set_drive_warnings
+        digital_io set_digital_io
+        analog_inputs_analog_input_1 set_analog_inputs_analog_input_1
+        analog_inputs_analog_input_2 set_analog_inputs_analog_input_2
+        internal_following_error set_internal_following_error
+        motion_task_status set_motion_task_status);
+}
+
+#[test]
+fn a_view_of_an_image_has_a_view_of_each_axis() {
+    for image in images([0; 42]) {
+        let value = Outputs::unpack(image);
+        for (view, pdo) in OutputsView(&image).axes().into_iter().zip(value.axes) {
+            assert_eq!(view.target_position(), pdo.target_position);
+        }
+        let mut written = [0; 42];
+        for (view, pdo) in OutputsView(&mut written).axes_mut().into_iter().zip(value.axes) {
+            *view.0 = pdo.pack();
+        }
+        assert_eq!(written, image);
+    }
 }
 
 /// What the manual maps to a PDO.

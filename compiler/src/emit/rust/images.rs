@@ -7,7 +7,7 @@ use super::axes::Placed;
 use super::doc::Doc;
 use super::literal::number;
 use super::names::{Names, snake};
-use super::pdos::{Layout, packing};
+use super::packing::{self, Layout};
 use super::scope::Scope;
 use crate::model::{Index, Pdo, Role};
 
@@ -39,7 +39,7 @@ fn image(
     let (name, length) = (format_ident!("{name}"), scope.device.image_bytes(role));
     let doc = Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes."))
         .source(manager.source.as_ref(), scope.device);
-    let packing = packing(scope, &name, direction, &layout(scope, &parts, length));
+    let packing = packing::items(scope, &name, direction, &layout(scope, &parts, length));
     Some(quote! {
         #doc
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,5 +104,26 @@ fn layout(scope: &Scope<'_>, parts: &[Part<'_, '_>], length: u32) -> Layout {
         }
     }
     let pattern = quote!([#(#bytes),*]);
-    Layout { length, pack: quote!(#pack #pattern), pattern, unpack: quote!(Self { #unpack }) }
+    let view = (quote!(of PDOs in), views(scope, parts));
+    Layout { length, pack: quote!(#pack #pattern), pattern, unpack: quote!(Self { #unpack }), view }
+}
+
+/// A line for each field: its view to read and to write, the PDO, and its first byte.
+fn views(scope: &Scope<'_>, parts: &[Part<'_, '_>]) -> TokenStream {
+    let mut names = Names::default();
+    for part in parts {
+        names.claim(&part.name);
+    }
+    let mut offset = 0;
+    let mut lines = TokenStream::new();
+    for part in parts {
+        let (name, pdo, at) = (&part.name, scope.pdo_ident(part.pdo), number(offset));
+        let name_mut = names.claim(&format_ident!("{name}_mut"));
+        let axes = scope.axis_idents().into_iter().map(|(_, variable)| variable);
+        let content = if part.of_axes { quote!([#pdo; #(#axes),*]) } else { quote!(#pdo) };
+        lines.extend(quote!(#name, #name_mut: #content => #at;));
+        let bytes = part.pdo.first.bytes();
+        offset += bytes * if part.of_axes { u32::try_from(part.pdo.all.len()).unwrap_or(0) } else { 1 };
+    }
+    lines
 }

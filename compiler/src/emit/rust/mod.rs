@@ -20,6 +20,7 @@ mod measure;
 mod modes;
 mod names;
 mod objects;
+mod packing;
 mod pdos;
 mod scope;
 mod states;

@@ -4,11 +4,12 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::axes::{self, Placed};
-use super::bytes::{self, Place};
+use super::bytes::Place;
 use super::doc::{Doc, escape};
 use super::entry;
 use super::literal::number;
 use super::names::{Names, snake};
+use super::packing::{self, Layout};
 use super::scope::Scope;
 use super::types::{Primitive, ValueType};
 use crate::model::{DataType, Direction, Mapped, Pdo};
@@ -22,7 +23,8 @@ fn items_of(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
     let (name, places) = (scope.pdo_ident(placed), places(scope, pdo));
     let fields = pdo.entries.iter().zip(&places).filter_map(|(mapped, place)| field(scope, mapped, place));
     let doc = doc(scope, placed);
-    let packing = packing(scope, &name, direction(pdo), &Layout::of(&places, pdo.bytes()));
+    let layout = Layout::of_fields(&places, pdo.bytes());
+    let packing = packing::items(scope, &name, direction(pdo), &layout);
     let mapping = mapping(scope, placed, &name);
     quote! {
         #doc
@@ -100,66 +102,6 @@ fn field(scope: &Scope<'_>, mapped: &Mapped, place: &Place) -> Option<TokenStrea
         None => Doc::new(title).text("The dictionary does not have it, so only its width is known."),
     };
     Some(quote!(#doc pub #name: #value,))
-}
-
-/// How process data lies in the frame.
-pub(super) struct Layout {
-    pub(super) length: u32,
-    /// The body of `pack`.
-    pub(super) pack: TokenStream,
-    /// The argument of `unpack`.
-    pub(super) pattern: TokenStream,
-    /// The body of `unpack`.
-    pub(super) unpack: TokenStream,
-}
-
-impl Layout {
-    fn of(places: &[Place], length: u32) -> Self {
-        let (pack, pattern) = (bytes::pack(places, length), bytes::pattern(places, length));
-        Self { length, pack, pattern, unpack: bytes::unpack(places) }
-    }
-}
-
-/// Packing and unpacking, as constants and as the trait.
-pub(super) fn packing(
-    scope: &Scope<'_>,
-    name: &Ident,
-    direction: TokenStream,
-    layout: &Layout,
-) -> TokenStream {
-    let (marker, length) = (&scope.marker, number(layout.length));
-    let Layout { pack, pattern, unpack, .. } = layout;
-    quote! {
-        impl #name {
-            /// The fields as they are in the frame.
-            #[inline]
-            pub const fn pack(self) -> [u8; #length] {
-                #pack
-            }
-
-            /// The fields out of the frame.
-            #[inline]
-            pub const fn unpack(#pattern: [u8; #length]) -> Self {
-                #unpack
-            }
-        }
-
-        impl ProcessData for #name {
-            type Device = #marker;
-            type Direction = #direction;
-            type Image = [u8; #length];
-
-            #[inline]
-            fn pack(self) -> Self::Image {
-                self.pack()
-            }
-
-            #[inline]
-            fn unpack(image: Self::Image) -> Self {
-                Self::unpack(image)
-            }
-        }
-    }
 }
 
 /// The index and what is mapped: of the PDO, or of each axis and for the trait of the first.

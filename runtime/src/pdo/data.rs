@@ -1,46 +1,15 @@
-//! Process data (CiA 301, PDO; ETG.1000.6, PDO).
-//!
-//! Each PDO is generated as a struct with a field for each mapped entry. Its `pack` is one array literal of all bytes
-//! and its `unpack` one array pattern: no offset, no loop and so no check that could fail, at any optimisation level.
+//! Process data by value.
 
+use super::{Direction, Mapping};
 use crate::Device;
 use crate::bytes::{ByteArray, WrongLength};
-
-mod sealed {
-    pub trait Sealed {}
-}
-
-/// Which way process data goes, seen from the device.
-pub trait Direction: sealed::Sealed {
-    /// The object whose subindices name the PDOs in use: that of sync manager 2 or 3 (ETG.1000.6).
-    const ASSIGNMENT: u16;
-}
-
-/// Received by the device: the outputs of the master.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rx {}
-
-/// Transmitted by the device: the inputs of the master.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tx {}
-
-impl sealed::Sealed for Rx {}
-impl sealed::Sealed for Tx {}
-
-impl Direction for Rx {
-    const ASSIGNMENT: u16 = 0x1C12;
-}
-
-impl Direction for Tx {
-    const ASSIGNMENT: u16 = 0x1C13;
-}
 
 /// Data that goes in a frame each cycle: a PDO, or all PDOs of a direction one after the other.
 ///
 /// Arrays cannot have a wrong length; slices can, and the slice methods find it out with one comparison.
 ///
 /// ```
-/// # use devc_runtime::pdo::{ProcessData, Rx};
+/// use devc_runtime::pdo::{ProcessData, Rx};
 /// # use devc_runtime::Device;
 /// # #[derive(Debug, Clone, Copy)]
 /// # struct C887;
@@ -68,13 +37,7 @@ impl Direction for Tx {
 ///     }
 /// }
 ///
-/// impl ProcessData for Target {
-///     type Device = C887;
-///     type Direction = Rx;
-///     type Image = [u8; 6];
-///     fn pack(self) -> [u8; 6] { self.pack() }
-///     fn unpack(image: [u8; 6]) -> Self { Self::unpack(image) }
-/// }
+/// devc_runtime::process_data!(Target: C887, Rx, 6);
 ///
 /// let mut frame = [0; 6];
 /// let target = Target { controlword: 0x000F, position: -1 };
@@ -114,6 +77,32 @@ pub trait ProcessData: Copy {
     }
 }
 
+/// Implements [`ProcessData`](crate::pdo::ProcessData) for a struct that packs and unpacks itself by `const fn` `pack` and
+/// `unpack`: the struct, its device, its direction and its bytes. With the feature `ethercrab` it gets the traits of
+/// that master, too.
+#[macro_export]
+macro_rules! process_data {
+    ($data:ident: $device:ty, $direction:ty, $length:expr) => {
+        impl $crate::pdo::ProcessData for $data {
+            type Device = $device;
+            type Direction = $direction;
+            type Image = [u8; $length];
+
+            #[inline]
+            fn pack(self) -> [u8; $length] {
+                self.pack()
+            }
+
+            #[inline]
+            fn unpack(image: [u8; $length]) -> Self {
+                Self::unpack(image)
+            }
+        }
+
+        $crate::ethercrab!($data, $length);
+    };
+}
+
 /// A single PDO: process data that has an index of its own.
 ///
 /// Where each axis has a PDO of the same shape, there is one type for all, so that a program can go through the axes;
@@ -123,36 +112,4 @@ pub trait Pdo: ProcessData {
     const INDEX: u16;
     /// What is mapped, in order, each as the mapping object holds it: index, subindex and number of bits.
     const MAPPING: &'static [Mapping];
-}
-
-/// A mapped entry: what a subindex of a mapping object says (CiA 301, PDO mapping).
-///
-/// ```
-/// use devc_runtime::object::Address;
-/// use devc_runtime::pdo::Mapping;
-///
-/// let target_position = Mapping { address: Address::new(0x607A, 0), bits: 32 };
-/// assert_eq!(target_position.word(), 0x607A_0020);
-/// assert_eq!(Mapping::from_word(0x607A_0020), target_position);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Mapping {
-    /// The entry; index 0 stands for a gap.
-    pub address: crate::object::Address,
-    /// Its length in bits.
-    pub bits: u8,
-}
-
-impl Mapping {
-    /// Index, subindex and length in one number, the value of the mapping object's subindex.
-    pub const fn word(self) -> u32 {
-        let [high, low] = self.address.index.to_be_bytes();
-        u32::from_be_bytes([high, low, self.address.subindex, self.bits])
-    }
-
-    /// The entry that a mapping object's subindex names.
-    pub const fn from_word(word: u32) -> Self {
-        let [high, low, subindex, bits] = word.to_be_bytes();
-        Self { address: crate::object::Address::new(u16::from_be_bytes([high, low]), subindex), bits }
-    }
 }

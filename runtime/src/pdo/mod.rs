@@ -1,0 +1,26 @@
+//! Process data (CiA 301, PDO; ETG.1000.6, PDO).
+//!
+//! Each PDO is generated as a struct with a field for each mapped entry, and as a view of its bytes in the frame.
+//!
+//! | for | there is |
+//! |---|---|
+//! | all values at once | [`ProcessData`]: `pack` is one array literal of all bytes, `unpack` one array pattern |
+//! | single values, in place | [`InPlace`]: a view that loads and stores a field where it lies in the frame |
+//!
+//! Neither has an offset that is computed at run time, and so no check that could fail, at any optimisation level.
+
+mod data;
+mod direction;
+#[cfg(feature = "ethercrab")]
+#[doc(hidden)]
+pub mod ethercrab;
+mod in_place;
+mod mapping;
+#[cfg(not(feature = "ethercrab"))]
+mod no_ethercrab;
+pub mod place;
+
+pub use data::{Pdo, ProcessData};
+pub use direction::{Direction, Rx, Tx};
+pub use in_place::{InPlace, View, ViewMut};
+pub use mapping::Mapping;
