@@ -41,8 +41,8 @@
 )]
 use ::devc_runtime::{Device, error};
 use ::devc_runtime::cia402::{
-    Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet, Transition,
-    UnknownState,
+    Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange,
+    Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
 };
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -1921,7 +1921,19 @@ pub const TRANSITIONS: &[Transition] = {
             Coupling::Any,
         ),
         transition(14, &[State::FaultReactionActive], State::Fault, Coupling::All),
-        transition(15, &[State::Fault], State::SwitchOnDisabled, Coupling::All),
+        transition(
+            15,
+            &[
+                State::NotReadyToSwitchOn,
+                State::ReadyToSwitchOn,
+                State::SwitchedOn,
+                State::OperationEnabled,
+                State::QuickStopActive,
+                State::Fault,
+            ],
+            State::SwitchOnDisabled,
+            Coupling::All,
+        ),
     ]
 };
 
@@ -2085,6 +2097,47 @@ impl Mode for ModeOfOperation {
         }
     }
 }
+
+/// What makes or hinders transitions besides commands, the most urgent first.
+pub const CONDITIONS: &[Condition] = &[
+    Condition::caused(13, Events::FAULT),
+    Condition::caused(14, Events::FAULT_REACTION_OVER),
+    Condition::caused(1, Events::INITIALISED),
+    Condition::hindered(15, Events::FAULT),
+];
+
+/// The modes of operation by their numbers, and how the drive goes from one to another.
+pub const MODES: Modes = Modes {
+    supported: &[0, 6, 8],
+    changes: &[
+        ModeChange { from: &[0], to: &[8] },
+        ModeChange { from: &[0], to: &[6] },
+        ModeChange { from: &[8], to: &[] },
+        ModeChange { from: &[6], to: &[] },
+    ],
+    selectable_in: StateSet::of(&[State::OperationEnabled]),
+    refusal: Refusal::Fault,
+};
+
+/// The bits that start a reference run in mode 6 and show how far it is.
+///
+/// Source: p. 12 to 15.
+pub const HOMING: HomingBits = HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
+
+/// The state machine, as both sides run it.
+///
+/// After transitions 13 and 14 the axes stay in Fault until the master acknowledges. Once a change of
+/// mode has failed, the mode display is 0.
+///
+/// Source: p. 11, p. 12.
+pub const MACHINE: Machine = Machine {
+    states: STATES,
+    commands: commands::ALL,
+    transitions: TRANSITIONS,
+    conditions: CONDITIONS,
+    refusal: Refusal::Fault,
+    modes: MODES,
+};
 
 /// `0x603F` An error code. Codes that the description does not name keep their number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

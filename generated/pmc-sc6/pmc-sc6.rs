@@ -32,8 +32,9 @@ pub mod double {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -3061,7 +3062,7 @@ pub mod double {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
-            transitions: &[7, 9, 10, 12],
+            transitions: &[7, 9, 10],
         };
 
         /// Quick stop. `0xxx x01x`
@@ -3270,6 +3271,57 @@ pub mod double {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(11, Events::NOT_ENABLED),
+        Condition::caused(12, Events::QUICK_STOP_OVER.and(Events::NOT_ENABLED)),
+        Condition::hindered(2, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::hindered(3, Events::NOT_ENABLED),
+        Condition::hindered(4, Events::NOT_ENABLED),
+        Condition::hindered(5, Events::NOT_ENABLED),
+        Condition::hindered(6, Events::NOT_ENABLED),
+        Condition::hindered(8, Events::NOT_ENABLED),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-1, 0, 1, 2, 3, 4, 6, 7, 8, 9, 10],
+        changes: &[
+            ModeChange { from: &[7, 8, 9, 10], to: &[1, 2, 3, 4] },
+            ModeChange { from: &[1, 2, 3, 4], to: &[7, 8, 9, 10] },
+            ModeChange { from: &[], to: &[] },
+        ],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0010,
+        reached: 0x0400,
+        attained: 0x1000,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -4210,8 +4262,9 @@ pub mod single {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -6891,7 +6944,7 @@ pub mod single {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
-            transitions: &[7, 9, 10, 12],
+            transitions: &[7, 9, 10],
         };
 
         /// Quick stop. `0xxx x01x`
@@ -7100,6 +7153,57 @@ pub mod single {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(11, Events::NOT_ENABLED),
+        Condition::caused(12, Events::QUICK_STOP_OVER.and(Events::NOT_ENABLED)),
+        Condition::hindered(2, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::hindered(3, Events::NOT_ENABLED),
+        Condition::hindered(4, Events::NOT_ENABLED),
+        Condition::hindered(5, Events::NOT_ENABLED),
+        Condition::hindered(6, Events::NOT_ENABLED),
+        Condition::hindered(8, Events::NOT_ENABLED),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-1, 0, 1, 2, 3, 4, 6, 7, 8, 9, 10],
+        changes: &[
+            ModeChange { from: &[7, 8, 9, 10], to: &[1, 2, 3, 4] },
+            ModeChange { from: &[1, 2, 3, 4], to: &[7, 8, 9, 10] },
+            ModeChange { from: &[], to: &[] },
+        ],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0010,
+        reached: 0x0400,
+        attained: 0x1000,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -8007,8 +8111,9 @@ pub mod double_hires {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -11052,7 +11157,7 @@ pub mod double_hires {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
-            transitions: &[7, 9, 10, 12],
+            transitions: &[7, 9, 10],
         };
 
         /// Quick stop. `0xxx x01x`
@@ -11261,6 +11366,57 @@ pub mod double_hires {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(11, Events::NOT_ENABLED),
+        Condition::caused(12, Events::QUICK_STOP_OVER.and(Events::NOT_ENABLED)),
+        Condition::hindered(2, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::hindered(3, Events::NOT_ENABLED),
+        Condition::hindered(4, Events::NOT_ENABLED),
+        Condition::hindered(5, Events::NOT_ENABLED),
+        Condition::hindered(6, Events::NOT_ENABLED),
+        Condition::hindered(8, Events::NOT_ENABLED),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-1, 0, 1, 2, 3, 4, 6, 7, 8, 9, 10],
+        changes: &[
+            ModeChange { from: &[7, 8, 9, 10], to: &[1, 2, 3, 4] },
+            ModeChange { from: &[1, 2, 3, 4], to: &[7, 8, 9, 10] },
+            ModeChange { from: &[], to: &[] },
+        ],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0010,
+        reached: 0x0400,
+        attained: 0x1000,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -12200,8 +12356,9 @@ pub mod single_hires {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -14960,7 +15117,7 @@ pub mod single_hires {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
-            transitions: &[7, 9, 10, 12],
+            transitions: &[7, 9, 10],
         };
 
         /// Quick stop. `0xxx x01x`
@@ -15169,6 +15326,57 @@ pub mod single_hires {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::caused(11, Events::NOT_ENABLED),
+        Condition::caused(12, Events::QUICK_STOP_OVER.and(Events::NOT_ENABLED)),
+        Condition::hindered(2, Events::LOCKED_OUT.and(Events::NOT_ENABLED)),
+        Condition::hindered(3, Events::NOT_ENABLED),
+        Condition::hindered(4, Events::NOT_ENABLED),
+        Condition::hindered(5, Events::NOT_ENABLED),
+        Condition::hindered(6, Events::NOT_ENABLED),
+        Condition::hindered(8, Events::NOT_ENABLED),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-1, 0, 1, 2, 3, 4, 6, 7, 8, 9, 10],
+        changes: &[
+            ModeChange { from: &[7, 8, 9, 10], to: &[1, 2, 3, 4] },
+            ModeChange { from: &[1, 2, 3, 4], to: &[7, 8, 9, 10] },
+            ModeChange { from: &[], to: &[] },
+        ],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0010,
+        reached: 0x0400,
+        attained: 0x1000,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {

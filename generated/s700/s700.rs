@@ -29,8 +29,9 @@ pub mod s300 {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -3887,6 +3888,174 @@ pub mod s300 {
         ]
     };
 
+    /// The commands of the controlword.
+    pub mod commands {
+        use super::*;
+
+        /// Shutdown, transition 2. `xxxx xx10`
+        ///
+        /// The switch-on inhibit is lifted.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_2: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: None,
+            transitions: &[2],
+        };
+
+        /// Switch on, transition 3. `xxxx x11r`
+        ///
+        /// The amplifier is enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SWITCH_ON_3: Command = Command {
+            name: "switch on",
+            pattern: Pattern { mask: 0x0007, value: 0x0007 },
+            edge: Some(Edge::Rising(0x0001)),
+            transitions: &[3],
+        };
+
+        /// Enable operation, transition 4. `xxxx r111`
+        ///
+        /// The amplifier takes the set values.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_4: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0008)),
+            transitions: &[4],
+        };
+
+        /// Disable operation, transition 5. `xxxx f111`
+        ///
+        /// The amplifier no longer takes the set values; the drive stops in speed control.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_OPERATION_5: Command = Command {
+            name: "disable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x0007 },
+            edge: Some(Edge::Falling(0x0008)),
+            transitions: &[5],
+        };
+
+        /// Shutdown, transition 6. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_6: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[6],
+        };
+
+        /// Disable voltage, transition 7. `xxxx xxfx`
+        ///
+        /// The switch-on inhibit is back.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_7: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[7],
+        };
+
+        /// Shutdown, transition 8. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_8: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[8],
+        };
+
+        /// Disable voltage, transition 9. `xxxx xxfx`
+        ///
+        /// The drive brakes on the ramp DECSTOP and is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_9: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[9],
+        };
+
+        /// Disable voltage, transition 10. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_10: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[10],
+        };
+
+        /// Quick stop, transition 11. `xxxx 1f11`
+        ///
+        /// The drive brakes on the ramp DECDIS and stays enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const QUICK_STOP_11: Command = Command {
+            name: "quick stop",
+            pattern: Pattern { mask: 0x000F, value: 0x000B },
+            edge: Some(Edge::Falling(0x0004)),
+            transitions: &[11],
+        };
+
+        /// Disable voltage, transition 12. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_12: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[12],
+        };
+
+        /// Fault reset, transition 15. `rxxx xxxx`
+        ///
+        /// The fault is cleared.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const FAULT_RESET_15: Command = Command {
+            name: "fault reset",
+            pattern: Pattern { mask: 0x0080, value: 0x0080 },
+            edge: Some(Edge::Rising(0x0080)),
+            transitions: &[15],
+        };
+
+        /// Enable operation, transition 16. `xxxx 1r11`
+        ///
+        /// The amplifier takes the set values again.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_16: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0004)),
+            transitions: &[16],
+        };
+
+        /// Every command.
+        pub const ALL: &[Command] = &[
+            SHUTDOWN_2, SWITCH_ON_3, ENABLE_OPERATION_4, DISABLE_OPERATION_5, SHUTDOWN_6, DISABLE_VOLTAGE_7,
+            SHUTDOWN_8, DISABLE_VOLTAGE_9, DISABLE_VOLTAGE_10, QUICK_STOP_11, DISABLE_VOLTAGE_12,
+            FAULT_RESET_15, ENABLE_OPERATION_16,
+        ];
+    }
+
     /// `0x6060` The modes of operation.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[repr(i8)]
@@ -3895,7 +4064,7 @@ pub mod s300 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
@@ -3941,6 +4110,47 @@ pub mod s300 {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT),
+        Condition::caused(12, Events::LOCKED_OUT),
+        Condition::hindered(2, Events::LOCKED_OUT),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-7, -6, -3, -2, 6, 8, 9, 10],
+        changes: &[],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 3.4.2, 3.4.3, 3.8.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0800,
+        reached: 0x0400,
+        attained: 0x0200,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -4843,8 +5053,9 @@ pub mod s400 {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -7725,6 +7936,174 @@ pub mod s400 {
         ]
     };
 
+    /// The commands of the controlword.
+    pub mod commands {
+        use super::*;
+
+        /// Shutdown, transition 2. `xxxx xx10`
+        ///
+        /// The switch-on inhibit is lifted.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_2: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: None,
+            transitions: &[2],
+        };
+
+        /// Switch on, transition 3. `xxxx x11r`
+        ///
+        /// The amplifier is enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SWITCH_ON_3: Command = Command {
+            name: "switch on",
+            pattern: Pattern { mask: 0x0007, value: 0x0007 },
+            edge: Some(Edge::Rising(0x0001)),
+            transitions: &[3],
+        };
+
+        /// Enable operation, transition 4. `xxxx r111`
+        ///
+        /// The amplifier takes the set values.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_4: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0008)),
+            transitions: &[4],
+        };
+
+        /// Disable operation, transition 5. `xxxx f111`
+        ///
+        /// The amplifier no longer takes the set values; the drive stops in speed control.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_OPERATION_5: Command = Command {
+            name: "disable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x0007 },
+            edge: Some(Edge::Falling(0x0008)),
+            transitions: &[5],
+        };
+
+        /// Shutdown, transition 6. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_6: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[6],
+        };
+
+        /// Disable voltage, transition 7. `xxxx xxfx`
+        ///
+        /// The switch-on inhibit is back.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_7: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[7],
+        };
+
+        /// Shutdown, transition 8. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_8: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[8],
+        };
+
+        /// Disable voltage, transition 9. `xxxx xxfx`
+        ///
+        /// The drive brakes on the ramp DECSTOP and is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_9: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[9],
+        };
+
+        /// Disable voltage, transition 10. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_10: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[10],
+        };
+
+        /// Quick stop, transition 11. `xxxx 1f11`
+        ///
+        /// The drive brakes on the ramp DECDIS and stays enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const QUICK_STOP_11: Command = Command {
+            name: "quick stop",
+            pattern: Pattern { mask: 0x000F, value: 0x000B },
+            edge: Some(Edge::Falling(0x0004)),
+            transitions: &[11],
+        };
+
+        /// Disable voltage, transition 12. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_12: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[12],
+        };
+
+        /// Fault reset, transition 15. `rxxx xxxx`
+        ///
+        /// The fault is cleared.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const FAULT_RESET_15: Command = Command {
+            name: "fault reset",
+            pattern: Pattern { mask: 0x0080, value: 0x0080 },
+            edge: Some(Edge::Rising(0x0080)),
+            transitions: &[15],
+        };
+
+        /// Enable operation, transition 16. `xxxx 1r11`
+        ///
+        /// The amplifier takes the set values again.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_16: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0004)),
+            transitions: &[16],
+        };
+
+        /// Every command.
+        pub const ALL: &[Command] = &[
+            SHUTDOWN_2, SWITCH_ON_3, ENABLE_OPERATION_4, DISABLE_OPERATION_5, SHUTDOWN_6, DISABLE_VOLTAGE_7,
+            SHUTDOWN_8, DISABLE_VOLTAGE_9, DISABLE_VOLTAGE_10, QUICK_STOP_11, DISABLE_VOLTAGE_12,
+            FAULT_RESET_15, ENABLE_OPERATION_16,
+        ];
+    }
+
     /// `0x6060` The modes of operation.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[repr(i8)]
@@ -7733,7 +8112,7 @@ pub mod s400 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
@@ -7779,6 +8158,47 @@ pub mod s400 {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT),
+        Condition::caused(12, Events::LOCKED_OUT),
+        Condition::hindered(2, Events::LOCKED_OUT),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-7, -6, -3, -2, 6, 8, 9, 10],
+        changes: &[],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 3.4.2, 3.4.3, 3.8.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0800,
+        reached: 0x0400,
+        attained: 0x0200,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -8618,8 +9038,9 @@ pub mod s600 {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -11500,6 +11921,174 @@ pub mod s600 {
         ]
     };
 
+    /// The commands of the controlword.
+    pub mod commands {
+        use super::*;
+
+        /// Shutdown, transition 2. `xxxx xx10`
+        ///
+        /// The switch-on inhibit is lifted.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_2: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: None,
+            transitions: &[2],
+        };
+
+        /// Switch on, transition 3. `xxxx x11r`
+        ///
+        /// The amplifier is enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SWITCH_ON_3: Command = Command {
+            name: "switch on",
+            pattern: Pattern { mask: 0x0007, value: 0x0007 },
+            edge: Some(Edge::Rising(0x0001)),
+            transitions: &[3],
+        };
+
+        /// Enable operation, transition 4. `xxxx r111`
+        ///
+        /// The amplifier takes the set values.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_4: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0008)),
+            transitions: &[4],
+        };
+
+        /// Disable operation, transition 5. `xxxx f111`
+        ///
+        /// The amplifier no longer takes the set values; the drive stops in speed control.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_OPERATION_5: Command = Command {
+            name: "disable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x0007 },
+            edge: Some(Edge::Falling(0x0008)),
+            transitions: &[5],
+        };
+
+        /// Shutdown, transition 6. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_6: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[6],
+        };
+
+        /// Disable voltage, transition 7. `xxxx xxfx`
+        ///
+        /// The switch-on inhibit is back.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_7: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[7],
+        };
+
+        /// Shutdown, transition 8. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_8: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[8],
+        };
+
+        /// Disable voltage, transition 9. `xxxx xxfx`
+        ///
+        /// The drive brakes on the ramp DECSTOP and is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_9: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[9],
+        };
+
+        /// Disable voltage, transition 10. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_10: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[10],
+        };
+
+        /// Quick stop, transition 11. `xxxx 1f11`
+        ///
+        /// The drive brakes on the ramp DECDIS and stays enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const QUICK_STOP_11: Command = Command {
+            name: "quick stop",
+            pattern: Pattern { mask: 0x000F, value: 0x000B },
+            edge: Some(Edge::Falling(0x0004)),
+            transitions: &[11],
+        };
+
+        /// Disable voltage, transition 12. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_12: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[12],
+        };
+
+        /// Fault reset, transition 15. `rxxx xxxx`
+        ///
+        /// The fault is cleared.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const FAULT_RESET_15: Command = Command {
+            name: "fault reset",
+            pattern: Pattern { mask: 0x0080, value: 0x0080 },
+            edge: Some(Edge::Rising(0x0080)),
+            transitions: &[15],
+        };
+
+        /// Enable operation, transition 16. `xxxx 1r11`
+        ///
+        /// The amplifier takes the set values again.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_16: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0004)),
+            transitions: &[16],
+        };
+
+        /// Every command.
+        pub const ALL: &[Command] = &[
+            SHUTDOWN_2, SWITCH_ON_3, ENABLE_OPERATION_4, DISABLE_OPERATION_5, SHUTDOWN_6, DISABLE_VOLTAGE_7,
+            SHUTDOWN_8, DISABLE_VOLTAGE_9, DISABLE_VOLTAGE_10, QUICK_STOP_11, DISABLE_VOLTAGE_12,
+            FAULT_RESET_15, ENABLE_OPERATION_16,
+        ];
+    }
+
     /// `0x6060` The modes of operation.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[repr(i8)]
@@ -11508,7 +12097,7 @@ pub mod s600 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
@@ -11554,6 +12143,47 @@ pub mod s600 {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT),
+        Condition::caused(12, Events::LOCKED_OUT),
+        Condition::hindered(2, Events::LOCKED_OUT),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-7, -6, -3, -2, 6, 8, 9, 10],
+        changes: &[],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 3.4.2, 3.4.3, 3.8.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0800,
+        reached: 0x0400,
+        attained: 0x0200,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -12393,8 +13023,9 @@ pub mod s700 {
     )]
     use ::devc_runtime::{Device, error};
     use ::devc_runtime::cia402::{
-        Command, Coupling, Edge, Mode, Pattern, State, StatePatterns, StateSet,
-        Transition, UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
+        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
+        UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
@@ -16261,6 +16892,174 @@ pub mod s700 {
         ]
     };
 
+    /// The commands of the controlword.
+    pub mod commands {
+        use super::*;
+
+        /// Shutdown, transition 2. `xxxx xx10`
+        ///
+        /// The switch-on inhibit is lifted.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_2: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: None,
+            transitions: &[2],
+        };
+
+        /// Switch on, transition 3. `xxxx x11r`
+        ///
+        /// The amplifier is enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SWITCH_ON_3: Command = Command {
+            name: "switch on",
+            pattern: Pattern { mask: 0x0007, value: 0x0007 },
+            edge: Some(Edge::Rising(0x0001)),
+            transitions: &[3],
+        };
+
+        /// Enable operation, transition 4. `xxxx r111`
+        ///
+        /// The amplifier takes the set values.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_4: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0008)),
+            transitions: &[4],
+        };
+
+        /// Disable operation, transition 5. `xxxx f111`
+        ///
+        /// The amplifier no longer takes the set values; the drive stops in speed control.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_OPERATION_5: Command = Command {
+            name: "disable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x0007 },
+            edge: Some(Edge::Falling(0x0008)),
+            transitions: &[5],
+        };
+
+        /// Shutdown, transition 6. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_6: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[6],
+        };
+
+        /// Disable voltage, transition 7. `xxxx xxfx`
+        ///
+        /// The switch-on inhibit is back.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_7: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[7],
+        };
+
+        /// Shutdown, transition 8. `xxxx xx1f`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const SHUTDOWN_8: Command = Command {
+            name: "shutdown",
+            pattern: Pattern { mask: 0x0003, value: 0x0002 },
+            edge: Some(Edge::Falling(0x0001)),
+            transitions: &[8],
+        };
+
+        /// Disable voltage, transition 9. `xxxx xxfx`
+        ///
+        /// The drive brakes on the ramp DECSTOP and is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_9: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[9],
+        };
+
+        /// Disable voltage, transition 10. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_10: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[10],
+        };
+
+        /// Quick stop, transition 11. `xxxx 1f11`
+        ///
+        /// The drive brakes on the ramp DECDIS and stays enabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const QUICK_STOP_11: Command = Command {
+            name: "quick stop",
+            pattern: Pattern { mask: 0x000F, value: 0x000B },
+            edge: Some(Edge::Falling(0x0004)),
+            transitions: &[11],
+        };
+
+        /// Disable voltage, transition 12. `xxxx xxfx`
+        ///
+        /// The amplifier is disabled.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const DISABLE_VOLTAGE_12: Command = Command {
+            name: "disable voltage",
+            pattern: Pattern { mask: 0x0002, value: 0x0000 },
+            edge: Some(Edge::Falling(0x0002)),
+            transitions: &[12],
+        };
+
+        /// Fault reset, transition 15. `rxxx xxxx`
+        ///
+        /// The fault is cleared.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const FAULT_RESET_15: Command = Command {
+            name: "fault reset",
+            pattern: Pattern { mask: 0x0080, value: 0x0080 },
+            edge: Some(Edge::Rising(0x0080)),
+            transitions: &[15],
+        };
+
+        /// Enable operation, transition 16. `xxxx 1r11`
+        ///
+        /// The amplifier takes the set values again.
+        ///
+        /// Source: 3.4.1, 3.4.2.
+        pub const ENABLE_OPERATION_16: Command = Command {
+            name: "enable operation",
+            pattern: Pattern { mask: 0x000F, value: 0x000F },
+            edge: Some(Edge::Rising(0x0004)),
+            transitions: &[16],
+        };
+
+        /// Every command.
+        pub const ALL: &[Command] = &[
+            SHUTDOWN_2, SWITCH_ON_3, ENABLE_OPERATION_4, DISABLE_OPERATION_5, SHUTDOWN_6, DISABLE_VOLTAGE_7,
+            SHUTDOWN_8, DISABLE_VOLTAGE_9, DISABLE_VOLTAGE_10, QUICK_STOP_11, DISABLE_VOLTAGE_12,
+            FAULT_RESET_15, ENABLE_OPERATION_16,
+        ];
+    }
+
     /// `0x6060` The modes of operation.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[repr(i8)]
@@ -16269,7 +17068,7 @@ pub mod s700 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
@@ -16315,6 +17114,47 @@ pub mod s700 {
             }
         }
     }
+
+    /// What makes or hinders transitions besides commands, the most urgent first.
+    pub const CONDITIONS: &[Condition] = &[
+        Condition::caused(13, Events::FAULT),
+        Condition::caused(14, Events::FAULT_REACTION_OVER),
+        Condition::caused(1, Events::INITIALISED),
+        Condition::caused(7, Events::LOCKED_OUT),
+        Condition::caused(9, Events::LOCKED_OUT),
+        Condition::caused(10, Events::LOCKED_OUT),
+        Condition::caused(12, Events::LOCKED_OUT),
+        Condition::hindered(2, Events::LOCKED_OUT),
+        Condition::hindered(15, Events::FAULT),
+    ];
+
+    /// The modes of operation by their numbers, and how the drive goes from one to another.
+    pub const MODES: Modes = Modes {
+        supported: &[-7, -6, -3, -2, 6, 8, 9, 10],
+        changes: &[],
+        selectable_in: StateSet::ALL,
+        refusal: Refusal::Ignored,
+    };
+
+    /// The bits that start a reference run in mode 6 and show how far it is.
+    ///
+    /// Source: 3.4.2, 3.4.3, 3.8.
+    pub const HOMING: HomingBits = HomingBits {
+        start: 0x0800,
+        reached: 0x0400,
+        attained: 0x0200,
+        error: 0x2000,
+    };
+
+    /// The state machine, as both sides run it.
+    pub const MACHINE: Machine = Machine {
+        states: STATES,
+        commands: commands::ALL,
+        transitions: TRANSITIONS,
+        conditions: CONDITIONS,
+        refusal: Refusal::Ignored,
+        modes: MODES,
+    };
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {

@@ -6,6 +6,7 @@
 
 mod axis;
 mod configuration;
+mod control;
 mod data_type;
 mod error;
 mod fact;
@@ -27,19 +28,22 @@ mod word;
 
 pub use axis::{Area, Axis, Shift};
 pub use configuration::{Configuration, SdoWrite};
+pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
 pub use error::{ErrorCode, VendorCode};
 pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
-pub use mode::{Mode, ModeBits, ModeChange, MotionCommand, StopOption};
+pub use mode::{HomingBits, Mode, ModeBits, ModeChange, MotionCommand, StopOption};
 pub use object::{Access, Category, Entry, Kind, Mappable, Object, Provenance, Trigger};
 pub use parameter::{AxisGroup, Coordinates, Group, Parameter, ValueRange};
 pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Pdo};
 pub use register::{AlStatusCode, Register, RegisterAccess, Telegram};
-pub use state::{Answer, Command, CommunicationState, CommunicationTransition, Scope, State, Transition};
+pub use state::{
+    Answer, Command, CommunicationState, CommunicationTransition, Event, Scope, State, Transition,
+};
 pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
 pub use transport::{Eeprom, Mailbox, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
@@ -128,6 +132,8 @@ model! {
         pub commands: Vec<Command>,
         /// The changes of state, by number.
         pub transitions: Vec<Transition>,
+        /// What the drive does with what is not allowed, if that is said.
+        pub device_control: Option<DeviceControl>,
         /// The EtherCAT states.
         pub communication_states: Vec<CommunicationState>,
         /// The changes of the EtherCAT state.

@@ -26,6 +26,8 @@ model! {
         pub control_bits: ModeBits,
         /// What it makes of bits of the statusword.
         pub status_bits: ModeBits,
+        /// Which bits a reference run is started and followed by.
+        pub homing_bits: Option<HomingBits>,
         /// What must be so before it is chosen.
         pub conditions: Vec<String>,
         /// What a user should know.
@@ -45,6 +47,19 @@ model! {
     pub struct ModeBits {
         /// The bits.
         pub fields: Vec<Field>,
+    }
+
+    /// The bits of a reference run, by number.
+    #[derive(Copy, Eq)]
+    pub struct HomingBits {
+        /// Of the controlword: its rising edge starts the run.
+        pub start: u8,
+        /// Of the statusword: the axis has come to where it should, or stands.
+        pub reached: u8,
+        /// Of the statusword: the reference is set.
+        pub attained: u8,
+        /// Of the statusword: the run has failed.
+        pub error: u8,
     }
 
     /// A command of the motion core that a mode runs.

@@ -72,8 +72,8 @@ model! {
     pub struct Transition {
         /// Its number.
         pub number: u8,
-        /// The state before, by id; none for the start, or if it can come from several.
-        pub from: Option<String>,
+        /// The states before, by id; none for the start, or if it can come from any.
+        pub from: Vec<String>,
         /// The state after, by id.
         pub to: String,
         /// Whether it happens without a command.
@@ -82,6 +82,12 @@ model! {
         pub supported: bool,
         /// The bits of the controlword that set it off, where given for the transition itself.
         pub pattern: Option<Pattern>,
+        /// What these bits are called as a command.
+        pub command: Option<String>,
+        /// What sets it off without a command, any of them.
+        pub events: Vec<Event>,
+        /// What keeps a command from setting it off, any of them.
+        pub interlocks: Vec<Event>,
         /// How many axes must make it to move the whole device.
         pub axes: Option<Scope>,
         /// The power level that it switches to.
@@ -97,6 +103,24 @@ model! {
         /// Where it was written.
         #[cfg_attr(feature = "json", serde(skip))]
         pub origin: Origin,
+    }
+
+    /// What happens in a drive besides its commands, the most urgent first.
+    #[derive(Copy, Eq, PartialOrd, Ord)]
+    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    pub enum Event {
+        /// The cause of a fault is there.
+        Fault,
+        /// The reaction to a fault is over.
+        FaultReactionOver,
+        /// Start-up and self-test are over.
+        Initialised,
+        /// Something outside forbids power.
+        LockedOut,
+        /// An additional enable signal is missing.
+        NotEnabled,
+        /// The quick stop is over, and the drive does not stay in its state.
+        QuickStopOver,
     }
 
     /// How many axes must make a transition.
@@ -135,5 +159,19 @@ model! {
         pub about: Option<String>,
         /// Where its facts are from.
         pub source: Option<Source>,
+    }
+}
+
+impl Event {
+    /// Its name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fault => "fault",
+            Self::FaultReactionOver => "fault reaction over",
+            Self::Initialised => "initialised",
+            Self::LockedOut => "locked out",
+            Self::NotEnabled => "not enabled",
+            Self::QuickStopOver => "quick stop over",
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Single values that TOML has no type of its own for.
 
 use serde::Deserialize;
-use serde::de::{self, Deserializer, Visitor};
+use serde::de::{self, Deserializer, SeqAccess, Visitor};
 
 /// A value of an object, in the type that TOML gave it.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,5 +129,31 @@ impl<'de> Deserialize<'de> for Hex {
             Some(bytes) if digits.len().is_multiple_of(2) => Ok(Self(bytes)),
             _ => Err(de::Error::custom("expected pairs of hexadecimal digits, such as \"050E03EE\"")),
         }
+    }
+}
+
+/// One text, or a list of texts: `"fault"`, `["fault", "switched-on"]`.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct OneOrMore(pub Vec<String>);
+
+impl<'de> Deserialize<'de> for OneOrMore {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Texts;
+        impl<'de> Visitor<'de> for Texts {
+            type Value = OneOrMore;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a string or a list of strings")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<OneOrMore, E> {
+                Ok(OneOrMore(vec![text.to_owned()]))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<OneOrMore, A::Error> {
+                Vec::deserialize(de::value::SeqAccessDeserializer::new(list)).map(OneOrMore)
+            }
+        }
+        deserializer.deserialize_any(Texts)
     }
 }

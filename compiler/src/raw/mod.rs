@@ -4,6 +4,7 @@
 
 mod compose;
 mod configuration;
+mod control;
 pub(crate) mod decode;
 mod device;
 mod entity;
@@ -27,21 +28,22 @@ mod unit;
 mod word;
 
 pub use configuration::RawConfiguration;
+pub use control::{RawDeviceControl, RawRefusal};
 pub use device::{RawAxes, RawDocument, RawEeprom, RawFamily, RawHead, RawIdentity, RawShift};
 pub use entity::{Entity, ObjectEntity};
 pub use error::{RawError, RawVendorCode};
 pub use fact::{RawAssumed, RawErratum, RawFacts, RawRemark, RawRemarkKind};
 pub use front::{RawConnector, RawLed, RawLedPattern, RawLimit, RawMasterSetting, RawProcedure, RawStep};
 pub use homing::{RawAlternative, RawDirection, RawHomingMethod};
-pub use literal::{Duration, Fraction, Hex, Literal};
-pub use mode::{RawMode, RawModeChange, RawMotionCommand, RawStopOption};
+pub use literal::{Duration, Fraction, Hex, Literal, OneOrMore};
+pub use mode::{RawHomingBits, RawMode, RawModeChange, RawMotionCommand, RawStopOption};
 pub use object::{Ignored, RawAccess, RawCategory, RawEntry, RawKind, RawMappable, RawObject, RawTrigger};
 pub use parameter::{RawAxisGroup, RawCoordinates, RawGroup, RawParameter};
 pub use pdo::{RawMailbox, RawMapped, RawPdo, RawSyncManager};
 pub use read::read;
 pub use register::{RawAlStatusCode, RawRegister, RawRegisterAccess, RawTelegram};
 pub use state::{
-    RawAnswer, RawCommand, RawCommunicationState, RawCommunicationTransition, RawScope, RawState,
+    RawAnswer, RawCommand, RawCommunicationState, RawCommunicationTransition, RawEvent, RawScope, RawState,
     RawTransition,
 };
 pub use timing::{RawCycleTime, RawDeadTime, RawSyncMode, RawSyncSignal};
@@ -92,6 +94,8 @@ pub struct RawDevice {
     pub commands: Vec<Entity<RawCommand>>,
     /// `[transitions]`.
     pub transitions: Vec<Entity<RawTransition>>,
+    /// `[device-control]`.
+    pub device_control: Option<Entity<RawDeviceControl>>,
     /// `[communication-states]`.
     pub communication_states: Vec<Entity<RawCommunicationState>>,
     /// `[communication-transitions]`.

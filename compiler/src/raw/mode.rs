@@ -34,6 +34,8 @@ pub struct RawMode {
     /// What it makes of bits of the statusword.
     #[serde(default)]
     pub status_bits: BTreeMap<String, RawField>,
+    /// Which bits a reference run is started and followed by.
+    pub homing_bits: Option<RawHomingBits>,
     /// What must be so before it is chosen, a sentence each.
     #[serde(default)]
     pub conditions: Vec<String>,
@@ -43,6 +45,21 @@ pub struct RawMode {
     /// The motion commands that the drive runs for it.
     #[serde(default)]
     pub commands: Vec<RawMotionCommand>,
+}
+
+/// The bits of a reference run, by number.
+#[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub struct RawHomingBits {
+    /// Of the controlword: its rising edge starts the run.
+    pub start: u8,
+    /// Of the statusword: the axis has come to where it should, or stands.
+    pub reached: u8,
+    /// Of the statusword: the reference is set.
+    pub attained: u8,
+    /// Of the statusword: the run has failed.
+    pub error: u8,
 }
 
 /// A command of the motion core that a mode runs.

@@ -77,6 +77,7 @@ fn device(id: String, tree: &Table, diagnostics: &mut Diagnostics) -> Option<Raw
         states: sections.map("states"),
         commands: sections.map("commands"),
         transitions: sections.map("transitions"),
+        device_control: sections.single("device-control"),
         communication_states: sections.map("communication-states"),
         communication_transitions: sections.map("communication-transitions"),
         modes: sections.map("modes"),

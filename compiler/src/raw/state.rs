@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use super::OneOrMore;
+
 /// `[states.<id>]`: a state of the drive.
 #[derive(Debug, Default, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -69,8 +71,9 @@ pub struct RawCommand {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawTransition {
-    /// The state before; none for the start, or if it can come from several.
-    pub from: Option<String>,
+    /// The state before, or a list of several; absent for the start, or if it can come from any.
+    #[serde(default)]
+    pub from: OneOrMore,
     /// The state after.
     pub to: String,
     /// Whether it happens without a command.
@@ -80,6 +83,14 @@ pub struct RawTransition {
     pub supported: Option<bool>,
     /// The bits of the controlword that set it off, where the manual gives them for a transition.
     pub pattern: Option<String>,
+    /// What such bits are called as a command, as `"Shutdown"`.
+    pub command: Option<String>,
+    /// What sets it off without a command, any of them.
+    #[serde(default)]
+    pub events: Vec<RawEvent>,
+    /// What keeps a command from setting it off while it holds, any of them.
+    #[serde(default)]
+    pub interlocks: Vec<RawEvent>,
     /// Whether all axes must make it, or one is enough, to move the whole device.
     pub axes: Option<RawScope>,
     /// The power level that it switches to.
@@ -92,6 +103,25 @@ pub struct RawTransition {
     pub causes: Vec<String>,
     /// What it does.
     pub about: Option<String>,
+}
+
+/// What happens in a drive besides its commands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum RawEvent {
+    /// Start-up and self-test are over.
+    Initialised,
+    /// The cause of a fault is there.
+    Fault,
+    /// The reaction to a fault is over.
+    FaultReactionOver,
+    /// The quick stop is over, and the drive does not stay in its state.
+    QuickStopOver,
+    /// Something outside forbids power: no supply, safe torque off.
+    LockedOut,
+    /// An additional enable signal is missing.
+    NotEnabled,
 }
 
 /// How many axes must make a transition.

@@ -4,8 +4,8 @@ use super::context::Context;
 use super::derived::{self, Basis};
 use super::names::Names;
 use super::{
-    axes, configurations, errors, facts, front, homing, modes, objects, parameters, pdos, registers, states,
-    timing, transport, units, words,
+    axes, configurations, control, errors, facts, front, homing, modes, objects, parameters, pdos, registers,
+    states, timing, transport, units, words,
 };
 use crate::diagnostic::Diagnostics;
 use crate::model::{Device, Direction, Identity, Pdo};
@@ -51,6 +51,8 @@ pub(super) fn device(raw: RawDevice, sources: &Sources, diagnostics: &mut Diagno
     for command in &commands {
         states::check_numbers(context, &command.transitions, &transitions, &command.origin);
     }
+    let device_control =
+        raw.device_control.map(|entity| control::device_control(context, entity, &state_ids));
     let communication_states = states::communication_states(context, raw.communication_states);
     let communication_ids: Vec<String> = communication_states.iter().map(|s| s.id.clone()).collect();
     let words = words::words(context, raw.words, &objects);
@@ -83,6 +85,7 @@ pub(super) fn device(raw: RawDevice, sources: &Sources, diagnostics: &mut Diagno
         states,
         commands,
         transitions,
+        device_control,
         communication_transitions: states::communication_transitions(
             context,
             raw.communication_transitions,

@@ -48,6 +48,7 @@ pub(super) fn assumptions(context: &Context<'_>, raw: &RawDevice) -> Vec<Assumpt
     one(&raw.axes, "axes", &mut single);
     one(&raw.mailbox, "mailbox", &mut single);
     one(&raw.dead_time, "dead-time", &mut single);
+    one(&raw.device_control, "device-control", &mut single);
     one(&raw.coordinates, "coordinates", &mut single);
     each_of(&raw.sync_managers, "sync-managers", &mut single);
     for ObjectEntity { object, entries, .. } in &raw.objects {

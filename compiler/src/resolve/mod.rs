@@ -6,6 +6,7 @@
 mod axes;
 mod configurations;
 mod context;
+mod control;
 mod derived;
 mod device;
 mod entries;

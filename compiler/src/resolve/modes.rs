@@ -2,8 +2,8 @@
 
 use super::context::Context;
 use super::{facts, keys, words};
-use crate::model::{Address, Mode, ModeBits, ModeChange, MotionCommand, Provenance, StopOption};
-use crate::raw::{Entity, RawMode, RawModeChange, RawMotionCommand, RawStopOption};
+use crate::model::{Address, HomingBits, Mode, ModeBits, ModeChange, MotionCommand, Provenance, StopOption};
+use crate::raw::{Entity, RawHomingBits, RawMode, RawModeChange, RawMotionCommand, RawStopOption};
 use crate::source::Origin;
 
 /// The modes, by code.
@@ -30,6 +30,7 @@ fn mode(context: &mut Context<'_>, entity: Entity<RawMode>) -> Option<Mode> {
         objects: objects(context, &raw.objects, &origin),
         control_bits: ModeBits { fields: words::fields(context, &raw.control_bits, &origin, "control-bits") },
         status_bits: ModeBits { fields: words::fields(context, &raw.status_bits, &origin, "status-bits") },
+        homing_bits: raw.homing_bits.and_then(|bits| homing_bits(context, &bits, &origin)),
         conditions: raw.conditions,
         cautions: raw.cautions,
         commands: raw.commands.into_iter().map(motion_command).collect(),
@@ -44,6 +45,17 @@ fn objects(context: &mut Context<'_>, raw: &[String], origin: &Origin) -> Vec<Ad
         return raw.iter().filter_map(|text| context.names.find(text).ok()).collect();
     }
     context.addresses(raw, origin, "objects")
+}
+
+/// The bits of a reference run; both words have 16.
+fn homing_bits(context: &mut Context<'_>, raw: &RawHomingBits, origin: &Origin) -> Option<HomingBits> {
+    let RawHomingBits { start, reached, attained, error } = *raw;
+    let bits = [("start", start), ("reached", reached), ("attained", attained), ("error", error)];
+    let beyond = bits.into_iter().filter(|(_, bit)| *bit > 15).inspect(|(key, bit)| {
+        let at = origin.value(&format!("homing-bits.{key}"));
+        context.invalid(&bit.to_string(), "a bit of a word, 0 to 15", at);
+    });
+    (beyond.count() == 0).then_some(HomingBits { start, reached, attained, error })
 }
 
 fn motion_command(raw: RawMotionCommand) -> MotionCommand {

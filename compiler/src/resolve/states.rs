@@ -5,11 +5,11 @@ use super::facts;
 use super::keys;
 use crate::diagnostic::faults;
 use crate::model::{
-    Answer, Command, CommunicationState, CommunicationTransition, Pattern, Scope, State, Transition,
+    Answer, Command, CommunicationState, CommunicationTransition, Event, Pattern, Scope, State, Transition,
 };
 use crate::raw::{
-    Entity, RawAnswer, RawCommand, RawCommunicationState, RawCommunicationTransition, RawScope, RawState,
-    RawTransition,
+    Entity, RawAnswer, RawCommand, RawCommunicationState, RawCommunicationTransition, RawEvent, RawScope,
+    RawState, RawTransition,
 };
 use crate::source::Origin;
 
@@ -72,17 +72,20 @@ pub(super) fn commands(
         .collect()
 }
 
-fn bind_all(
+/// Binds references to states; the place of a text that stands alone is that of the key.
+pub(super) fn bind_all(
     context: &mut Context<'_>,
     texts: &[String],
     known: &[String],
     origin: &Origin,
     path: &str,
 ) -> Vec<String> {
+    let place = |i: usize| {
+        let item = format!("{path}.{i}");
+        if origin.has(&item) { origin.value(&item) } else { origin.value(path) }
+    };
     let places = texts.iter().enumerate();
-    places
-        .filter_map(|(i, text)| context.bind(text, known, "state", origin.value(&format!("{path}.{i}"))))
-        .collect()
+    places.filter_map(|(i, text)| context.bind(text, known, "state", place(i))).collect()
 }
 
 /// The changes of state, by number.
@@ -107,7 +110,7 @@ fn transition(
     if number.is_none() {
         context.invalid(&key, "the number of a transition", origin.header());
     }
-    let from = raw.from.as_deref().and_then(|from| context.bind(from, states, "state", origin.value("from")));
+    let from = bind_all(context, &raw.from.0, states, &origin, "from");
     let to = context.bind(&raw.to, states, "state", origin.value("to"));
     Some(Transition {
         number: number?,
@@ -116,6 +119,9 @@ fn transition(
         automatic: raw.automatic,
         supported: raw.supported.unwrap_or(true),
         pattern: pattern(context, raw.pattern.as_deref(), &origin),
+        command: raw.command,
+        events: raw.events.into_iter().map(event).collect(),
+        interlocks: raw.interlocks.into_iter().map(event).collect(),
         axes: raw.axes.map(|scope| match scope {
             RawScope::All => Scope::All,
             RawScope::Any => Scope::Any,
@@ -127,6 +133,17 @@ fn transition(
         source: facts::source(context, &facts),
         origin,
     })
+}
+
+fn event(raw: RawEvent) -> Event {
+    match raw {
+        RawEvent::Initialised => Event::Initialised,
+        RawEvent::Fault => Event::Fault,
+        RawEvent::FaultReactionOver => Event::FaultReactionOver,
+        RawEvent::QuickStopOver => Event::QuickStopOver,
+        RawEvent::LockedOut => Event::LockedOut,
+        RawEvent::NotEnabled => Event::NotEnabled,
+    }
 }
 
 /// The EtherCAT states, by code.

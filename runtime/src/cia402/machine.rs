@@ -14,7 +14,7 @@ use super::{Command, Condition, Events, Modes, State, StatePatterns, Transition}
 /// assert_eq!((step.number, step.to), (2, State::ReadyToSwitchOn));
 /// assert_eq!(step.to_string(), "transition 2, switch on disabled to ready to switch on, by shutdown");
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Machine {
     /// How the statusword shows the states.
     pub states: StatePatterns,

@@ -269,9 +269,11 @@ fn the_pilz_drive_follows_its_enable_signal() {
 fn only_the_pilz_drive_ends_its_quick_stop_by_itself() {
     let over = happens(&pilz::MACHINE, QuickStopActive, Events::QUICK_STOP_OVER).map(|step| step.number);
     assert_eq!(over, Some(12));
-    for word in 0..=u16::MAX {
-        let step = |events| Drive::new(&c887::MACHINE).resumed(QuickStopActive, word).cycle(word, events);
-        assert_eq!(step(Events::QUICK_STOP_OVER), step(Events::NONE));
+    for machine in [&c887::MACHINE, &s700::MACHINE] {
+        for word in 0..=u16::MAX {
+            let step = |events| Drive::new(machine).resumed(QuickStopActive, word).cycle(word, events);
+            assert_eq!(step(Events::QUICK_STOP_OVER), step(Events::NONE));
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use devc::model::{Answer, State, Transition};
+use devc::model::{Answer, Event, State, Transition};
 use devc_tests::manual::pmc_sc6;
 
 use crate::{departs, device, plain, rows};
@@ -35,7 +35,7 @@ fn commands_are_those_of_table_5() {
 fn transitions_join_the_states_of_the_text() {
     for row in rows::<pmc_sc6::Transition>() {
         let transition = transition(row.transition);
-        assert_eq!(transition.from.as_ref(), Some(&state(row.from).id), "transition {}", row.transition);
+        assert_eq!(transition.from, [state(row.from).id.as_str()], "transition {}", row.transition);
         assert_eq!(transition.to, state(row.to).id, "transition {}", row.transition);
         assert!(transition.supported);
     }
@@ -66,6 +66,26 @@ fn transitions_wait_for_the_enable_signal_or_its_loss() {
         assert_eq!(lockout, row.condition.contains("cause of the lockout"), "transition {}", row.transition);
     }
     assert!(transition(11).causes.iter().any(|text| text.contains("A44 is 1")));
+}
+
+/// Transitions 9 and 11 both name the loss of the signal; the latter with A44 = 1, which is what is described.
+#[test]
+fn the_events_of_transitions_are_what_the_text_names() {
+    for row in rows::<pmc_sc6::Transition>() {
+        let transition = transition(row.transition);
+        let by = |event: Event| transition.events.contains(&event);
+        let lost = row.enable == "inactive" && row.transition != 9;
+        assert_eq!(by(Event::NotEnabled), lost, "transition {}", row.transition);
+        assert_eq!(
+            by(Event::LockedOut),
+            row.condition.contains("cause of the lockout"),
+            "{}",
+            row.transition
+        );
+        let needed = transition.interlocks.contains(&Event::NotEnabled);
+        assert_eq!(needed, row.enable == "active", "transition {}", row.transition);
+    }
+    assert!(transition(12).events.contains(&Event::QuickStopOver));
 }
 
 #[test]

@@ -167,3 +167,19 @@ fn modes_have_both_codes() {
         device().modes.iter().map(|mode| (plain(&mode.name), mode.code, mode.aliases.clone())).collect();
     assert_eq!(described, printed);
 }
+
+/// The bits of a reference run stand among those of both words; the manual names them without a mode.
+#[test]
+fn homing_uses_the_bits_that_the_tables_name() {
+    let mode = device().modes.iter().find(|mode| mode.code == 6).expect("homing is described");
+    let bits = mode.homing_bits.expect("homing has bits");
+    let edges = rows::<s700::ControlEdge>();
+    let start = edges.iter().find(|row| row.edge == Edge::Rising && row.meaning.contains("reference run"));
+    assert_eq!(Some(bits.start), start.map(|row| row.bit));
+    let named = |name: &str| {
+        rows::<s700::StatusBit>().iter().find(|row| row.name.to_lowercase().contains(name)).map(|row| row.bit)
+    };
+    assert_eq!(Some(bits.reached), named("target reached"));
+    assert_eq!(Some(bits.attained), named("reference point set"));
+    assert_eq!(Some(bits.error), named("homing error"));
+}

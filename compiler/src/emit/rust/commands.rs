@@ -7,22 +7,26 @@ use super::doc::{Doc, sentence};
 use super::literal::{hex16, number};
 use super::names::{Names, shout};
 use super::scope::Scope;
-use crate::model::{Command, Pattern};
+use crate::model::{Command, Device, Pattern, Transition};
+
+/// What a controlword asks for, and of which transitions.
+struct Given<'a> {
+    /// The word for it.
+    id: String,
+    name: String,
+    pattern: &'a Pattern,
+    transitions: Vec<u8>,
+    doc: Doc,
+}
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let given: Vec<(&Command, &Pattern)> = scope
-        .device
-        .commands
-        .iter()
-        .filter_map(|command| Some((command, command.pattern.as_ref()?)))
-        .collect();
+    let given = given(scope.device);
     if given.is_empty() {
         return TokenStream::new();
     }
     let mut names = Names::with(&["ALL"]);
-    let names: Vec<Ident> = given.iter().map(|(command, _)| names.claim(&shout(&command.id))).collect();
-    let commands =
-        given.iter().zip(&names).map(|((command, pattern), name)| constant(scope, command, pattern, name));
+    let names: Vec<Ident> = given.iter().map(|command| names.claim(&shout(&command.id))).collect();
+    let commands = given.iter().zip(&names).map(|(command, name)| constant(command, name));
     quote! {
         /// The commands of the controlword.
         pub mod commands {
@@ -35,13 +39,66 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     }
 }
 
-fn constant(scope: &Scope<'_>, command: &Command, pattern: &Pattern, name: &Ident) -> TokenStream {
+/// Every command; the list of them, for what refers to it.
+pub(super) fn list(device: &Device) -> TokenStream {
+    if given(device).is_empty() { quote!(&[]) } else { quote!(commands::ALL) }
+}
+
+/// The commands, and a command for each transition that has bits of its own.
+fn given(device: &Device) -> Vec<Given<'_>> {
+    let commands = device.commands.iter().filter_map(|command| of_command(device, command));
+    commands.chain(device.transitions.iter().filter_map(|one| of_transition(device, one))).collect()
+}
+
+fn of_command<'a>(device: &'a Device, command: &'a Command) -> Option<Given<'a>> {
+    let pattern = command.pattern.as_ref()?;
     let doc = Doc::new(format!("{} `{pattern}`", sentence(&command.name)))
         .maybe(command.about.as_deref())
-        .source(command.source.as_ref(), scope.device);
-    let text = command.name.to_lowercase();
-    let (mask, value) = (hex16(pattern.mask()), hex16(pattern.value()));
-    let edge = match (pattern.rising(), pattern.falling()) {
+        .source(command.source.as_ref(), device);
+    let is_made =
+        |number: &&u8| !device.transitions.iter().any(|one| one.number == **number && !one.supported);
+    Some(Given {
+        id: command.id.clone(),
+        name: command.name.to_lowercase(),
+        pattern,
+        transitions: command.transitions.iter().filter(is_made).copied().collect(),
+        doc,
+    })
+}
+
+/// What makes a transition that follows bits of the controlword; one that is automatic does not wait for them.
+fn of_transition<'a>(device: &'a Device, transition: &'a Transition) -> Option<Given<'a>> {
+    let pattern = transition.pattern.as_ref().filter(|_| transition.supported && !transition.automatic)?;
+    let number = transition.number;
+    let name = transition.command.clone().unwrap_or_else(|| "Transition".into());
+    let doc = Doc::new(format!("{} `{pattern}`", sentence(&format!("{name}, transition {number}"))))
+        .maybe(transition.about.as_deref())
+        .source(transition.source.as_ref(), device);
+    let id = format!("{name}-{number}");
+    let name = match transition.command {
+        Some(_) => name.to_lowercase(),
+        None => format!("transition {number}"),
+    };
+    Some(Given { id, name, pattern, transitions: vec![number], doc })
+}
+
+fn constant(command: &Given<'_>, name: &Ident) -> TokenStream {
+    let Given { id: _, name: text, pattern, transitions, doc } = command;
+    let (mask, value, edge) = (hex16(pattern.mask()), hex16(pattern.value()), edge(pattern));
+    let transitions = transitions.iter().map(number);
+    quote! {
+        #doc
+        pub const #name: Command = Command {
+            name: #text,
+            pattern: Pattern { mask: #mask, value: #value },
+            edge: #edge,
+            transitions: &[#(#transitions),*],
+        };
+    }
+}
+
+fn edge(pattern: &Pattern) -> TokenStream {
+    match (pattern.rising(), pattern.falling()) {
         (0, 0) => quote!(None),
         (0, falling) => {
             let falling = hex16(falling);
@@ -51,18 +108,5 @@ fn constant(scope: &Scope<'_>, command: &Command, pattern: &Pattern, name: &Iden
             let rising = hex16(rising);
             quote!(Some(Edge::Rising(#rising)))
         }
-    };
-    let supported = |number: &&u8| {
-        !scope.device.transitions.iter().any(|known| known.number == **number && !known.supported)
-    };
-    let transitions = command.transitions.iter().filter(supported).map(number);
-    quote! {
-        #doc
-        pub const #name: Command = Command {
-            name: #text,
-            pattern: Pattern { mask: #mask, value: #value },
-            edge: #edge,
-            transitions: &[#(#transitions),*],
-        };
     }
 }

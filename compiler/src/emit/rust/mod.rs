@@ -16,6 +16,7 @@ mod images;
 #[cfg(feature = "rust")]
 mod layout;
 mod literal;
+mod machine;
 mod measure;
 mod modes;
 mod names;
@@ -88,6 +89,7 @@ pub fn member(device: &Device, options: &Options) -> TokenStream {
         states::items(&scope),
         commands::items(&scope),
         modes::items(&scope),
+        machine::items(&scope),
         errors::items(&scope),
         units::module(&scope),
         dictionary::module(&scope),

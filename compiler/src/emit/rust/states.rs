@@ -28,7 +28,7 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
 }
 
 /// The runtime's name of a state.
-fn state(id: &str) -> Option<Ident> {
+pub(super) fn state(id: &str) -> Option<Ident> {
     KNOWN.contains(&id).then(|| camel(id))
 }
 
@@ -73,8 +73,8 @@ fn transition(device: &Device, transition: &Transition) -> Option<TokenStream> {
 /// Where a transition starts. One that names no state is the start itself, or comes from every state but the one
 /// it ends in and what follows that without a command: no fault leads from a fault to its reaction.
 fn origins<'a>(device: &'a Device, transition: &'a Transition) -> Vec<&'a str> {
-    if let Some(from) = &transition.from {
-        return vec![from];
+    if !transition.from.is_empty() {
+        return transition.from.iter().map(String::as_str).collect();
     }
     let is_start = !device
         .transitions
@@ -88,7 +88,7 @@ fn origins<'a>(device: &'a Device, transition: &'a Transition) -> Vec<&'a str> {
         device
             .transitions
             .iter()
-            .any(|other| other.automatic && other.from.as_ref() == Some(&transition.to) && other.to == id)
+            .any(|other| other.automatic && other.from.contains(&transition.to) && other.to == id)
     };
     let ids = device.states.iter().map(|state| state.id.as_str());
     ids.filter(|id| *id != transition.to && !follows(id)).collect()

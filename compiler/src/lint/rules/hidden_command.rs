@@ -69,7 +69,7 @@ fn shared<'d>(device: &'d Device, first: &Command, second: &Command) -> Option<&
         device.transitions.iter().filter(move |transition| numbers.contains(&transition.number))
     };
     of(first).find_map(|a| {
-        let clash = of(second).any(|b| a.number != b.number && a.from.is_some() && a.from == b.from && a.to != b.to);
-        a.from.as_deref().filter(|_| clash)
+        let mut others = of(second).filter(|b| a.number != b.number && a.to != b.to);
+        others.find_map(|b| a.from.iter().find(|from| b.from.contains(from)).map(String::as_str))
     })
 }

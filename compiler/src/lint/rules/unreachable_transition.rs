@@ -46,13 +46,14 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("nothing sets transition {number} off");
         let label = "no command, no cause, not automatic";
         let diagnostic = Diagnostic::new(&RULE, message, transition.origin.header(), label)
-            .help("name it in a command, give its `causes`, or write `automatic = true` or `supported = false`");
+            .help("name it in a command, give its `causes` or `events`, or write `automatic = true` or `supported = false`");
         report.push(format!("transitions.{number}"), diagnostic);
     }
 }
 
 fn explained(device: &Device, transition: &Transition) -> bool {
-    let own = transition.automatic || !transition.causes.is_empty() || transition.pattern.is_some();
+    let by_event = !transition.causes.is_empty() || !transition.events.is_empty();
+    let own = transition.automatic || by_event || transition.pattern.is_some();
     own || !transition.supported
         || device.commands.iter().any(|command| command.transitions.contains(&transition.number))
 }

@@ -59,6 +59,7 @@ pub(super) static SECTIONS: &[Section] = &[
     section!("states", Map, RawState, RawFacts),
     section!("commands", Map, RawCommand, RawFacts),
     section!("transitions", Map, RawTransition, RawFacts),
+    section!("device-control", Single, RawDeviceControl, RawFacts),
     section!("communication-states", Map, RawCommunicationState, RawFacts),
     section!("communication-transitions", Map, RawCommunicationTransition, RawFacts),
     section!("modes", Map, RawMode, RawFacts),

@@ -2,7 +2,7 @@
 
 use devc_runtime::cia402::State::*;
 use devc_runtime::cia402::{
-    Command, Condition, Edge, Machine, Modes, Pattern, Refusal, StatePatterns, StateSet, generic,
+    Command, Condition, Edge, Events, Machine, Modes, Pattern, Refusal, StatePatterns, StateSet, generic,
 };
 
 use super::{command, on_edge};
@@ -11,10 +11,11 @@ pub(crate) const MACHINE: Machine = Machine {
     states: STATES,
     commands: COMMANDS,
     transitions: &generic::TRANSITIONS,
-    conditions: Condition::PROFILE,
+    conditions: CONDITIONS,
     refusal: Refusal::Ignored,
     modes: Modes {
-        supported: &[6, 8, 9, 10],
+        // 3.8: each mode has a second number, the manufacturer's
+        supported: &[-7, -6, -3, -2, 6, 8, 9, 10],
         changes: &[],
         selectable_in: StateSet::ALL,
         refusal: Refusal::Ignored,
@@ -31,6 +32,20 @@ const STATES: StatePatterns = StatePatterns(&[
     (FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
     (Fault, Pattern { mask: 0x006F, value: 0x0028 }),
 ]);
+
+/// The profile's but one: after a quick stop the drive stays enabled (3.4.2, bit 2), so that no end of it makes
+/// transition 12.
+const CONDITIONS: &[Condition] = &[
+    Condition::caused(13, Events::FAULT),
+    Condition::caused(14, Events::FAULT_REACTION_OVER),
+    Condition::caused(1, Events::INITIALISED),
+    Condition::caused(12, Events::LOCKED_OUT),
+    Condition::caused(9, Events::LOCKED_OUT),
+    Condition::caused(10, Events::LOCKED_OUT),
+    Condition::caused(7, Events::LOCKED_OUT),
+    Condition::hindered(2, Events::LOCKED_OUT),
+    Condition::hindered(15, Events::FAULT),
+];
 
 /// One for each transition that bits make; 1, 13 and 14 the drive makes by itself.
 const COMMANDS: &[Command] = &[

@@ -2,18 +2,20 @@
 
 use serde::Serialize;
 
+use super::states::control;
 use super::words::{statements, table};
 use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, link, list, sentence, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Mode, ModeBits, ModeChange, MotionCommand};
+use crate::model::{DeviceControl, HomingBits, Mode, ModeBits, ModeChange, MotionCommand};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
     overview: Table,
     modes: Vec<ModeView>,
     changes: Table,
+    control: String,
 }
 
 #[derive(Serialize)]
@@ -26,22 +28,24 @@ struct ModeView {
     objects: String,
     control_bits: Table,
     status_bits: Table,
+    homing: String,
     commands: Table,
     source: String,
 }
 
 impl Chapter for View {
-    type Parts<'d> = (&'d [Mode], &'d [ModeChange]);
+    type Parts<'d> = (&'d [Mode], &'d [ModeChange], Option<&'d DeviceControl>);
 
     const ID: &'static str = "modes";
     const TITLE: &'static str = "Modes of operation";
     const TEMPLATE: &'static str = include_str!("../templates/modes.md.j2");
 
-    fn view(context: &Context<'_>, (modes, mode_changes): Self::Parts<'_>) -> Option<Self> {
+    fn view(context: &Context<'_>, (modes, mode_changes, control): Self::Parts<'_>) -> Option<Self> {
         (!modes.is_empty() || !mode_changes.is_empty()).then(|| Self {
             overview: overview(context, modes),
             modes: modes.iter().map(|mode| mode_view(context, mode)).collect(),
             changes: changes(context, mode_changes),
+            control: control.map_or(String::new(), |control| control::modes(context, control)),
         })
     }
 
@@ -73,6 +77,7 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
         objects,
         control_bits,
         status_bits,
+        homing_bits,
         conditions,
         cautions,
         commands,
@@ -94,6 +99,7 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
         objects: list(objects.iter().map(|address| context.named(*address))),
         control_bits: fields(context, "Bit of the controlword", control_bits),
         status_bits: fields(context, "Bit of the statusword", status_bits),
+        homing: homing_bits.as_ref().map_or(String::new(), homing),
         commands: command_table(context, commands),
         source: context.source_line(source.as_ref()),
     }
@@ -101,6 +107,15 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
 
 fn fields(context: &Context<'_>, title: &str, mode_bits: &ModeBits) -> Table {
     table(title, &mode_bits.fields, |field| statements(context, field).join("<br>"))
+}
+
+/// By which bits a reference run is started and followed.
+fn homing(bits: &HomingBits) -> String {
+    let HomingBits { start, reached, attained, error } = bits;
+    format!(
+        "A rising edge of bit {start} of the controlword starts a reference run. In the statusword, bit {attained} \
+         says that the reference is set, bit {error} that the run has failed, and bit {reached} that it is over."
+    )
 }
 
 fn command_table(context: &Context<'_>, commands: &[MotionCommand]) -> Table {

@@ -1,5 +1,6 @@
 //! The state machine of the drive.
 
+pub(super) mod control;
 mod diagram;
 
 use serde::Serialize;
@@ -8,7 +9,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Answer, Command, Pattern, Scope, State, Transition};
+use crate::model::{Answer, Command, DeviceControl, Event, Pattern, Scope, State, Transition};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -17,16 +18,20 @@ pub(in crate::emit::markdown) struct View {
     functions: Table,
     commands: Table,
     transitions: Table,
+    control: String,
 }
 
 impl Chapter for View {
-    type Parts<'d> = (&'d [State], &'d [Command], &'d [Transition]);
+    type Parts<'d> = (&'d [State], &'d [Command], &'d [Transition], Option<&'d DeviceControl>);
 
     const ID: &'static str = "states";
     const TITLE: &'static str = "Drive states";
     const TEMPLATE: &'static str = include_str!("../templates/states.md.j2");
 
-    fn view(context: &Context<'_>, (states, commands, transitions): Self::Parts<'_>) -> Option<Self> {
+    fn view(
+        context: &Context<'_>,
+        (states, commands, transitions, control): Self::Parts<'_>,
+    ) -> Option<Self> {
         let shown = !(states.is_empty() && commands.is_empty() && transitions.is_empty());
         shown.then(|| Self {
             diagram: diagram::diagram(context.device),
@@ -34,6 +39,7 @@ impl Chapter for View {
             functions: functions(states),
             commands: command_table(context, commands),
             transitions: transition_table(context, transitions),
+            control: control.map_or(String::new(), |control| control::commands(context, control)),
         })
     }
 }
@@ -147,10 +153,10 @@ fn transition_table(context: &Context<'_>, transitions: &[Transition]) -> Table 
 }
 
 fn from(context: &Context<'_>, transition: &Transition) -> String {
-    match &transition.from {
-        Some(id) => context.state(id),
-        None if transition.number == 0 => "*start*".into(),
-        None => "*any state*".into(),
+    match transition.from.as_slice() {
+        [] if transition.number == 0 => "*start*".into(),
+        [] => "*any state*".into(),
+        states => states.iter().map(|id| context.state(id)).collect::<Vec<_>>().join("<br>"),
     }
 }
 
@@ -162,12 +168,13 @@ fn scope(axes: Option<Scope>) -> &'static str {
     }
 }
 
-/// The command or the bits that make the drive make a transition.
+/// The command, the bits or the events that make the drive make a transition.
 fn cause(context: &Context<'_>, transition: &Transition) -> String {
-    let commands = context.commands(transition.number).map(text);
+    let commands = context.commands(transition.number).chain(transition.command.as_deref()).map(text);
     let pattern = transition.pattern.iter().map(code);
     let automatic = transition.automatic.then(|| "*automatic*".into());
-    commands.chain(pattern).chain(automatic).collect::<Vec<_>>().join("<br>")
+    let events = transition.events.iter().map(|event| format!("*{}*", event.name()));
+    commands.chain(pattern).chain(automatic).chain(events).collect::<Vec<_>>().join("<br>")
 }
 
 fn effect(context: &Context<'_>, transition: &Transition) -> String {
@@ -177,11 +184,14 @@ fn effect(context: &Context<'_>, transition: &Transition) -> String {
         about,
         conditions,
         causes,
+        interlocks,
         number: _,
         from: _,
         to: _,
         automatic: _,
         pattern: _,
+        command: _,
+        events: _,
         axes: _,
         power: _,
         source: _,
@@ -191,5 +201,9 @@ fn effect(context: &Context<'_>, transition: &Transition) -> String {
     let about = about.iter().map(|about| context.prose(about));
     let conditions = conditions.iter().map(|condition| format!("waits for: {}", context.prose(condition)));
     let causes = causes.iter().map(|cause| format!("set off by: {}", context.prose(cause)));
-    refused.into_iter().chain(about).chain(conditions).chain(causes).collect::<Vec<_>>().join("<br>")
+    let blocked = (!interlocks.is_empty()).then(|| {
+        format!("no command while: {}", list(interlocks.iter().map(|event| Event::name(*event).to_owned())))
+    });
+    let parts = refused.into_iter().chain(about).chain(conditions).chain(blocked).chain(causes);
+    parts.collect::<Vec<_>>().join("<br>")
 }

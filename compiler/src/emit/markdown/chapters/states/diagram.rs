@@ -28,11 +28,12 @@ pub(super) fn diagram(device: &Device) -> String {
 fn arrows(device: &Device) -> Vec<(String, String, Vec<String>)> {
     let mut arrows: Vec<(String, String, Vec<String>)> = Vec::new();
     for transition in device.transitions.iter().filter(|transition| transition.supported) {
-        let (from, to) = (start(transition), node(&transition.to));
-        let label = label(device, transition);
-        match arrows.iter_mut().find(|(start, end, _)| (start, end) == (&from, &to)) {
-            Some((.., labels)) => labels.push(label),
-            None => arrows.push((from, to, vec![label])),
+        let (to, label) = (node(&transition.to), label(device, transition));
+        for from in starts(transition) {
+            match arrows.iter_mut().find(|(start, end, _)| (start, end) == (&from, &to)) {
+                Some((.., labels)) => labels.push(label.clone()),
+                None => arrows.push((from, to.clone(), vec![label.clone()])),
+            }
         }
     }
     arrows
@@ -40,18 +41,19 @@ fn arrows(device: &Device) -> Vec<(String, String, Vec<String>)> {
 
 const ANY: &str = "any_state";
 
-fn start(transition: &Transition) -> String {
-    match &transition.from {
-        Some(id) => node(id),
-        None if transition.number == 0 => "[*]".into(),
-        None => ANY.into(),
+fn starts(transition: &Transition) -> Vec<String> {
+    match transition.from.as_slice() {
+        [] if transition.number == 0 => vec!["[*]".into()],
+        [] => vec![ANY.into()],
+        states => states.iter().map(|id| node(id)).collect(),
     }
 }
 
 fn label(device: &Device, transition: &Transition) -> String {
     let number = transition.number;
     let commands = device.commands.iter().filter(|command| command.transitions.contains(&number));
-    let names: Vec<String> = commands.map(|command| plain(&command.name)).collect();
+    let names = commands.map(|command| &command.name).chain(&transition.command);
+    let names: Vec<String> = names.map(|name| plain(name)).collect();
     if names.is_empty() { number.to_string() } else { format!("{number} {}", names.join(" or ")) }
 }
 

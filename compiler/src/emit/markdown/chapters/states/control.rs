@@ -1,0 +1,40 @@
+//! What the drive does with what it is asked for at the wrong time.
+
+use crate::emit::markdown::context::Context;
+use crate::emit::markdown::inline::list;
+use crate::model::{DeviceControl, Refusal};
+
+/// What becomes of a wrong command.
+pub(super) fn commands(context: &Context<'_>, control: &DeviceControl) -> String {
+    // What is left out stands beside the changes of mode.
+    let DeviceControl { wrong_command, about, source, wrong_mode: _, modes_selectable_in: _ } = control;
+    let refusal = match wrong_command {
+        Refusal::Ignored => "A command that leads nowhere in the present state is ignored.",
+        Refusal::Fault => {
+            "A command that leads nowhere in the present state, or bits that make none, are a fault: transition 13."
+        }
+    };
+    let lines = [refusal.into(), context.paragraphs(about.as_deref()), context.source_line(source.as_ref())];
+    paragraphs(&lines)
+}
+
+/// When a mode can be selected, and what becomes of a wrong one.
+pub(in crate::emit::markdown::chapters) fn modes(context: &Context<'_>, control: &DeviceControl) -> String {
+    // What is left out stands beside the commands.
+    let DeviceControl { wrong_mode, modes_selectable_in, source, wrong_command: _, about: _ } = control;
+    let states = list(modes_selectable_in.iter().map(|id| context.state(id)));
+    let selectable = match modes_selectable_in.as_slice() {
+        [] => String::new(),
+        _ => format!("A mode can only be selected in: {states}."),
+    };
+    let refusal = match wrong_mode {
+        Refusal::Ignored => "A change that the drive does not make is ignored.",
+        Refusal::Fault => "A change that the drive does not make is a fault: transition 13.",
+    };
+    paragraphs(&[format!("{selectable} {refusal}").trim().into(), context.source_line(source.as_ref())])
+}
+
+fn paragraphs(lines: &[String]) -> String {
+    let written: Vec<&str> = lines.iter().map(String::as_str).filter(|line| !line.is_empty()).collect();
+    written.join("\n\n")
+}

@@ -1,0 +1,143 @@
+//! The state machine as a whole: what the runtime's drive and master run on.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::doc::Doc;
+use super::literal::{hex16, number};
+use super::names::Names;
+use super::scope::Scope;
+use super::{commands, states};
+use crate::model::{Device, Event, HomingBits, Mode, ModeChange, Refusal, Transition};
+
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    let device = scope.device;
+    let mut names = Names::default();
+    let homing = device.modes.iter().filter_map(|mode| homing(scope, mode, &mut names));
+    let homing: TokenStream = homing.collect();
+    if device.states.is_empty() || device.transitions.is_empty() {
+        return homing;
+    }
+    let (conditions, modes, machine) = (conditions(device), modes(scope), machine(scope));
+    quote!(#conditions #modes #homing #machine)
+}
+
+fn machine(scope: &Scope<'_>) -> TokenStream {
+    let control = scope.device.device_control.as_ref();
+    let commands = commands::list(scope.device);
+    let refusal = refusal(control.map_or(Refusal::Ignored, |control| control.wrong_command));
+    let doc = Doc::new("The state machine, as both sides run it.")
+        .maybe(control.and_then(|control| control.about.as_deref()))
+        .source(control.and_then(|control| control.source.as_ref()), scope.device);
+    quote! {
+        #doc
+        pub const MACHINE: Machine = Machine {
+            states: STATES,
+            commands: #commands,
+            transitions: TRANSITIONS,
+            conditions: CONDITIONS,
+            refusal: #refusal,
+            modes: MODES,
+        };
+    }
+}
+
+fn refusal(refusal: Refusal) -> TokenStream {
+    match refusal {
+        Refusal::Ignored => quote!(Refusal::Ignored),
+        Refusal::Fault => quote!(Refusal::Fault),
+    }
+}
+
+/// What makes transitions, the most urgent first, then what hinders them.
+fn conditions(device: &Device) -> TokenStream {
+    let made = || device.transitions.iter().filter(|transition| transition.supported);
+    let mut caused: Vec<&Transition> = made().filter(|transition| !transition.events.is_empty()).collect();
+    caused.sort_by_key(|transition| (transition.events.iter().min(), transition.number));
+    let caused = caused.into_iter().map(|one| ("caused", one, &one.events));
+    let hindered =
+        made().filter(|one| !one.interlocks.is_empty()).map(|one| ("hindered", one, &one.interlocks));
+    let rows = caused.chain(hindered).map(|(how, transition, of)| {
+        let (how, number, events) = (format_ident!("{how}"), number(transition.number), events(of));
+        quote!(Condition::#how(#number, #events))
+    });
+    quote! {
+        /// What makes or hinders transitions besides commands, the most urgent first.
+        pub const CONDITIONS: &[Condition] = &[#(#rows),*];
+    }
+}
+
+fn events(events: &[Event]) -> TokenStream {
+    let mut names = events.iter().map(|event| event_name(*event));
+    let first = names.next().map_or_else(|| quote!(Events::NONE), |name| quote!(Events::#name));
+    names.fold(first, |all, name| quote!(#all.and(Events::#name)))
+}
+
+fn event_name(event: Event) -> Ident {
+    let name = match event {
+        Event::Initialised => "INITIALISED",
+        Event::Fault => "FAULT",
+        Event::FaultReactionOver => "FAULT_REACTION_OVER",
+        Event::QuickStopOver => "QUICK_STOP_OVER",
+        Event::LockedOut => "LOCKED_OUT",
+        Event::NotEnabled => "NOT_ENABLED",
+    };
+    format_ident!("{name}")
+}
+
+fn modes(scope: &Scope<'_>) -> TokenStream {
+    let device = scope.device;
+    let mut supported: Vec<i16> = device
+        .modes
+        .iter()
+        .flat_map(|mode| std::iter::once(mode.code).chain(mode.aliases.iter().copied()))
+        .collect();
+    supported.sort_unstable();
+    supported.dedup();
+    let (supported, changes) = (codes(&supported), device.mode_changes.iter().map(change));
+    let control = device.device_control.as_ref();
+    let refusal = refusal(control.map_or(Refusal::Ignored, |control| control.wrong_mode));
+    let states = control.map_or(&[][..], |control| &control.modes_selectable_in);
+    let states = states.iter().filter_map(|id| states::state(id)).map(|name| quote!(State::#name));
+    let states: Vec<TokenStream> = states.collect();
+    let selectable_in =
+        if states.is_empty() { quote!(StateSet::ALL) } else { quote!(StateSet::of(&[#(#states),*])) };
+    quote! {
+        /// The modes of operation by their numbers, and how the drive goes from one to another.
+        pub const MODES: Modes = Modes {
+            supported: &[#(#supported),*],
+            changes: &[#(#changes),*],
+            selectable_in: #selectable_in,
+            refusal: #refusal,
+        };
+    }
+}
+
+fn change(change: &ModeChange) -> TokenStream {
+    let (from, to) = (codes(&change.from), codes(&change.to));
+    quote!(ModeChange { from: &[#(#from),*], to: &[#(#to),*] })
+}
+
+/// The codes that fit the object of the mode, which has 8 bits; a rule reports the others.
+fn codes(codes: &[i16]) -> Vec<TokenStream> {
+    codes.iter().filter_map(|code| i8::try_from(*code).ok()).map(number).collect()
+}
+
+/// The bits of homing, if the mode has them.
+fn homing(scope: &Scope<'_>, mode: &Mode, names: &mut Names) -> Option<TokenStream> {
+    let mask = |bit: u8| hex16(1_u16.checked_shl(bit.into()).unwrap_or(0));
+    let HomingBits { start, reached, attained, error } = mode.homing_bits?;
+    let name = names.claim(&format_ident!("HOMING"));
+    let (start, reached, attained, error) = (mask(start), mask(reached), mask(attained), mask(error));
+    let title = format!("The bits that start a reference run in mode {} and show how far it is.", mode.code);
+    let doc = Doc::new(title).source(mode.source.as_ref(), scope.device);
+    Some(quote! {
+        #doc
+        pub const #name: HomingBits = HomingBits {
+            start: #start,
+            reached: #reached,
+            attained: #attained,
+            error: #error,
+        };
+    })
+}
