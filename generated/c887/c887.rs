@@ -2554,7 +2554,7 @@ pub mod units {
 /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
 pub mod dictionary {
     use super::*;
-    use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+    use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
     /// Every object whose value can change.
     #[derive(Debug, Clone, Copy, PartialEq)]
@@ -2959,33 +2959,213 @@ pub mod dictionary {
         pub interpolation_time_index: i8,
     }
 
+    impl sdo::Values for Dictionary {
+        const TABLE: &'static sdo::Dictionary = &TABLE;
+
+        fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+            let item = usize::from(place.item);
+            match place.field {
+                0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                1 => Some(sdo::Slot::U8(&mut self.error_register.0)),
+                2 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                3 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                4 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                5 => self.identity_object.slot(place.item),
+                6 => self.sync_manager_2_pdo_assignment.slot(place.item),
+                7 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                8 => self.sm_output_parameter.slot(place.item),
+                9 => self.sm_input_parameter.slot(place.item),
+                10 => self.work_coordinate_system.get_mut(item).map(sdo::Slot::I32),
+                11 => self.tool_coordinate_system.get_mut(item).map(sdo::Slot::I32),
+                12 => self.motor_homing_method.get_mut(item).map(sdo::Slot::I32),
+                13 => self.software_version.get_mut(item).map(sdo::Slot::I32),
+                14 => self.buffered_parameters.slot(place.item),
+                15 => self.direction_for_travelrange.get_mut(item).map(sdo::Slot::I32),
+                16 => self.available_travelrange.get_mut(item).map(sdo::Slot::I32),
+                17 => self.debug_information.slot(place.item),
+                18 => {
+                    self.maximum_velocity_and_acceleration
+                        .get_mut(item)
+                        .map(sdo::Slot::I32)
+                }
+                _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
+            }
+        }
+    }
+
+    impl AxisDictionary {
+        fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+            let item = usize::from(place.item);
+            match place.field {
+                19 => Some(sdo::Slot::U16(&mut self.error_code.0)),
+                20 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                21 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                22 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                23 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                24 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                25 => Some(sdo::Slot::I32(&mut self.target_position)),
+                26 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                27 => self.position_factor.get_mut(item).map(sdo::Slot::I32),
+                28 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                29 => Some(sdo::Slot::I32(&mut self.position_offset)),
+                30 => self.interpolation_time_period.slot(place.item),
+                31 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                32 => Some(sdo::Slot::I32(&mut self.digital_inputs)),
+                33 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                34 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
+                35 => Some(sdo::Slot::U32(&mut self.device_profile_number)),
+                _ => None,
+            }
+        }
+    }
+
+    impl IdentityObject {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                _ => None,
+            }
+        }
+    }
+
+    impl SyncManager2PdoAssignment {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                2 => Some(sdo::Slot::U16(&mut self.entry_2)),
+                3 => Some(sdo::Slot::U16(&mut self.entry_3)),
+                4 => Some(sdo::Slot::U16(&mut self.entry_4)),
+                5 => Some(sdo::Slot::U16(&mut self.entry_5)),
+                6 => Some(sdo::Slot::U16(&mut self.entry_6)),
+                7 => Some(sdo::Slot::U16(&mut self.entry_7)),
+                _ => None,
+            }
+        }
+    }
+
+    impl SyncManager3PdoAssignment {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                2 => Some(sdo::Slot::U16(&mut self.entry_2)),
+                3 => Some(sdo::Slot::U16(&mut self.entry_3)),
+                4 => Some(sdo::Slot::U16(&mut self.entry_4)),
+                5 => Some(sdo::Slot::U16(&mut self.entry_5)),
+                6 => Some(sdo::Slot::U16(&mut self.entry_6)),
+                _ => None,
+            }
+        }
+    }
+
+    impl SmOutputParameter {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                _ => None,
+            }
+        }
+    }
+
+    impl SmInputParameter {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                _ => None,
+            }
+        }
+    }
+
+    impl BufferedParameters {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::I32(&mut self.highest_subindex_supported)),
+                1 => Some(sdo::Slot::I32(&mut self.work_coordinates)),
+                2 => Some(sdo::Slot::I32(&mut self.tool_coordinates)),
+                3 => {
+                    Some(sdo::Slot::I32(&mut self.direction_for_travelrange_calculation))
+                }
+                4 => Some(sdo::Slot::I32(&mut self.reset_errorcode)),
+                _ => None,
+            }
+        }
+    }
+
+    impl DebugInformation {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::I32(&mut self.hexapod_state.0)),
+                1 => Some(sdo::Slot::I32(&mut self.reserved)),
+                _ => None,
+            }
+        }
+    }
+
+    impl InterpolationTimePeriod {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                _ => None,
+            }
+        }
+    }
+
     /// Every entry of the device, to be found by its address.
-    pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+    pub static TABLE: sdo::Dictionary = sdo::Dictionary {
         directory: &DIRECTORY,
         pages: &[
-            Page { ordinal: 0, ..PAGE_10 },
-            Page { ordinal: 10, ..PAGE_16 },
-            Page { ordinal: 70, ..PAGE_1A },
-            Page { ordinal: 124, ..PAGE_1C },
-            Page { ordinal: 174, ..PAGE_50 },
-            Page { ordinal: 227, ..PAGE_60 },
-            Page { ordinal: 248, ..PAGE_65 },
-            Page { ordinal: 249, ..PAGE_67 },
-            Page { ordinal: 250, ..PAGE_60 },
-            Page { ordinal: 271, ..PAGE_65 },
-            Page { ordinal: 272, ..PAGE_67 },
-            Page { ordinal: 273, ..PAGE_60 },
-            Page { ordinal: 294, ..PAGE_65 },
-            Page { ordinal: 295, ..PAGE_67 },
-            Page { ordinal: 296, ..PAGE_60 },
-            Page { ordinal: 317, ..PAGE_65 },
-            Page { ordinal: 318, ..PAGE_67 },
-            Page { ordinal: 319, ..PAGE_60 },
-            Page { ordinal: 340, ..PAGE_65 },
-            Page { ordinal: 341, ..PAGE_67 },
-            Page { ordinal: 342, ..PAGE_60 },
-            Page { ordinal: 363, ..PAGE_65 },
-            Page { ordinal: 364, ..PAGE_67 },
+            Page { axis: 0, ..PAGE_10 },
+            Page { axis: 0, ..PAGE_16 },
+            Page { axis: 0, ..PAGE_1A },
+            Page { axis: 0, ..PAGE_1C },
+            Page { axis: 0, ..PAGE_50 },
+            Page { axis: 0, ..PAGE_60 },
+            Page { axis: 0, ..PAGE_65 },
+            Page { axis: 0, ..PAGE_67 },
+            Page { axis: 1, ..PAGE_60 },
+            Page { axis: 1, ..PAGE_65 },
+            Page { axis: 1, ..PAGE_67 },
+            Page { axis: 2, ..PAGE_60 },
+            Page { axis: 2, ..PAGE_65 },
+            Page { axis: 2, ..PAGE_67 },
+            Page { axis: 3, ..PAGE_60 },
+            Page { axis: 3, ..PAGE_65 },
+            Page { axis: 3, ..PAGE_67 },
+            Page { axis: 4, ..PAGE_60 },
+            Page { axis: 4, ..PAGE_65 },
+            Page { axis: 4, ..PAGE_67 },
+            Page { axis: 5, ..PAGE_60 },
+            Page { axis: 5, ..PAGE_65 },
+            Page { axis: 5, ..PAGE_67 },
         ],
     };
 
@@ -2997,14 +3177,29 @@ pub mod dictionary {
         ],
     );
 
-    const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-        ObjectInfo { code, entries, ordinal }
+    const fn object(
+        code: ObjectCode,
+        axis: u8,
+        field: u16,
+        entries: &'static [EntryInfo],
+        constants: &'static [u8],
+    ) -> ObjectInfo {
+        ObjectInfo { code, axis, field, entries, constants }
     }
 
-    const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-        EntryInfo { subindex, data_type, bits, access }
+    const fn constant(
+        code: ObjectCode,
+        entries: &'static [EntryInfo],
+        constants: &'static [u8],
+    ) -> ObjectInfo {
+        object(code, 0, 0, entries, constants)
     }
 
+    const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+        EntryInfo { subindex, item, data_type, bits, access }
+    }
+
+    const CONSTANT: u8 = EntryInfo::CONSTANT;
     const RO: Access = Access::READ;
     const WO: Access = Access::WRITE;
     const RW: Access = RO.and(WO);
@@ -3018,16 +3213,22 @@ pub mod dictionary {
 
     const PAGE_10: Page = Page {
         first: 0x00,
+        axis: 0,
         slots: &SLOTS_10,
         objects: &[
-            object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-            object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
-            object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 112, RO)]),
-            object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 8, RO)]),
-            object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 8, RO)]),
-            object(ObjectCode::Record, 5, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+            object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+            object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
+            object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 112, RO)], &[]),
+            object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], &[]),
+            object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], &[]),
+            object(
+                ObjectCode::Record,
+                0,
+                5,
+                &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                &[4],
+            ),
         ],
-        ordinal: 0,
     };
 
     const SLOTS_16: [u8; 82] = positions(
@@ -3037,22 +3238,88 @@ pub mod dictionary {
 
     const PAGE_16: Page = Page {
         first: 0x00,
+        axis: 0,
         slots: &SLOTS_16,
         objects: &[
-            object(ObjectCode::Record, 0, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 4, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 10, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 14, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 20, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 24, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 30, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 34, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 40, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 44, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 50, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 54, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x05, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00,
+                    0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00, 0x83, 0x60,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x05, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00,
+                    0x7A, 0x68, 0x20, 0x00, 0x81, 0x68, 0x20, 0x00, 0x83, 0x68,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x40, 0x70, 0x08, 0x00, 0x60, 0x70, 0x20, 0x00, 0x7A, 0x70],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x05, 0x10, 0x00, 0x40, 0x70, 0x08, 0x00, 0x60, 0x70, 0x20, 0x00,
+                    0x7A, 0x70, 0x20, 0x00, 0x81, 0x70, 0x20, 0x00, 0x83, 0x70,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x40, 0x78, 0x08, 0x00, 0x60, 0x78, 0x20, 0x00, 0x7A, 0x78],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x05, 0x10, 0x00, 0x40, 0x78, 0x08, 0x00, 0x60, 0x78, 0x20, 0x00,
+                    0x7A, 0x78, 0x20, 0x00, 0x81, 0x78, 0x20, 0x00, 0x83, 0x78,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x40, 0x80, 0x08, 0x00, 0x60, 0x80, 0x20, 0x00, 0x7A, 0x80],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x05, 0x10, 0x00, 0x40, 0x80, 0x08, 0x00, 0x60, 0x80, 0x20, 0x00,
+                    0x7A, 0x80, 0x20, 0x00, 0x81, 0x80, 0x20, 0x00, 0x83, 0x80,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x40, 0x88, 0x08, 0x00, 0x60, 0x88, 0x20, 0x00, 0x7A, 0x88],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x05, 0x10, 0x00, 0x40, 0x88, 0x08, 0x00, 0x60, 0x88, 0x20, 0x00,
+                    0x7A, 0x88, 0x20, 0x00, 0x81, 0x88, 0x20, 0x00, 0x83, 0x88,
+                ],
+            ),
         ],
-        ordinal: 0,
     };
 
     const SLOTS_1A: [u8; 82] = positions(
@@ -3062,131 +3329,259 @@ pub mod dictionary {
 
     const PAGE_1A: Page = Page {
         first: 0x00,
+        axis: 0,
         slots: &SLOTS_1A,
         objects: &[
-            object(ObjectCode::Record, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 5, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 9, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 14, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 18, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 23, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 27, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 32, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 36, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 41, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 45, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-            object(ObjectCode::Record, 50, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x04, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00,
+                    0x64, 0x60, 0x20, 0x00, 0xF4, 0x60,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x04, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00,
+                    0x64, 0x68, 0x20, 0x00, 0xF4, 0x68,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x04, 0x10, 0x00, 0x41, 0x70, 0x08, 0x00, 0x61, 0x70, 0x20, 0x00,
+                    0x64, 0x70, 0x20, 0x00, 0xF4, 0x70,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x41, 0x70, 0x08, 0x00, 0x61, 0x70, 0x20, 0x00, 0x64, 0x70],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x04, 0x10, 0x00, 0x41, 0x78, 0x08, 0x00, 0x61, 0x78, 0x20, 0x00,
+                    0x64, 0x78, 0x20, 0x00, 0xF4, 0x78,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x41, 0x78, 0x08, 0x00, 0x61, 0x78, 0x20, 0x00, 0x64, 0x78],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x04, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00,
+                    0x64, 0x80, 0x20, 0x00, 0xF4, 0x80,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00, 0x64, 0x80],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x04, 0x10, 0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00,
+                    0x64, 0x88, 0x20, 0x00, 0xF4, 0x88,
+                ],
+            ),
+            constant(
+                ObjectCode::Record,
+                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[0x03, 0x10, 0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88],
+            ),
         ],
-        ordinal: 0,
     };
 
     const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x10, 0x11, 0x12, 0x13, 0x32, 0x33]);
 
     const PAGE_1C: Page = Page {
         first: 0x00,
+        axis: 0,
         slots: &SLOTS_1C,
         objects: &[
-            object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-            object(ObjectCode::Array, 5, &[entry(0, DataType::UNSIGNED8, 8, RO)]),
-            object(ObjectCode::Array, 6, &[entry(0, DataType::UNSIGNED8, 8, RO)]),
+            constant(
+                ObjectCode::Array,
+                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                &[0x04, 0x01, 0x02, 0x03, 0x04],
+            ),
+            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], &[0]),
+            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], &[0]),
             object(
                 ObjectCode::Array,
+                0,
+                6,
+                &[
+                    entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                    entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(2, 2, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(3, 3, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(4, 4, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(5, 5, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(6, 6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(7, 7, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                ],
+                &[],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
                 7,
                 &[
-                    entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                    entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(2, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(3, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(4, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(5, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(7, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                    entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(2, 2, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(3, 3, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(4, 4, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(5, 5, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    entry(6, 6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                 ],
-            ),
-            object(
-                ObjectCode::Array,
-                15,
-                &[
-                    entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                    entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(2, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(3, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(4, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(5, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                ],
+                &[],
             ),
             object(
                 ObjectCode::Record,
-                22,
+                0,
+                8,
                 &[
-                    entry(0, DataType::UNSIGNED8, 8, RO),
-                    entry(1, DataType::UNSIGNED16, 16, RW),
-                    entry(2, DataType::UNSIGNED32, 32, RW),
-                    entry(3, DataType::UNSIGNED32, 32, RO),
-                    entry(4, DataType::UNSIGNED16, 16, RO),
-                    entry(5, DataType::UNSIGNED32, 32, RO),
-                    entry(6, DataType::UNSIGNED32, 32, RO),
-                    entry(7, DataType::UNSIGNED32, 32, RO),
-                    entry(8, DataType::UNSIGNED16, 16, RW),
-                    entry(9, DataType::UNSIGNED32, 32, RO),
-                    entry(10, DataType::UNSIGNED32, 32, RW),
-                    entry(11, DataType::UNSIGNED16, 16, RO),
-                    entry(12, DataType::UNSIGNED16, 16, RO),
-                    entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                    entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                    entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                    entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                    entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                    entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                    entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                    entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                    entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                    entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                    entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                    entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                    entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                    entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                 ],
+                &[32],
             ),
             object(
                 ObjectCode::Record,
-                36,
+                0,
+                9,
                 &[
-                    entry(0, DataType::UNSIGNED8, 8, RO),
-                    entry(1, DataType::UNSIGNED16, 16, RW),
-                    entry(2, DataType::UNSIGNED32, 32, RW),
-                    entry(3, DataType::UNSIGNED32, 32, RW),
-                    entry(4, DataType::UNSIGNED16, 16, RO),
-                    entry(5, DataType::UNSIGNED32, 32, RO),
-                    entry(6, DataType::UNSIGNED32, 32, RO),
-                    entry(7, DataType::UNSIGNED32, 32, RO),
-                    entry(8, DataType::UNSIGNED16, 16, RW),
-                    entry(9, DataType::UNSIGNED32, 32, RO),
-                    entry(10, DataType::UNSIGNED32, 32, RW),
-                    entry(11, DataType::UNSIGNED16, 16, RO),
-                    entry(12, DataType::UNSIGNED16, 16, RO),
-                    entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                    entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                    entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                    entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                    entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                    entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                    entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                    entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                    entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                    entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                    entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                    entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                    entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                    entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                 ],
+                &[32],
             ),
         ],
-        ordinal: 0,
     };
 
     const SLOTS_50: [u8; 21] = positions(0x00, &[0x00, 0x01, 0x08, 0x09, 0x10, 0x11, 0x12, 0x13, 0x14]);
 
     const PAGE_50: Page = Page {
         first: 0x00,
+        axis: 0,
         slots: &SLOTS_50,
         objects: &[
-            object(ObjectCode::Array, 0, &const { EntryInfo::list::<7>(DataType::INTEGER32, 32, RW) }),
-            object(ObjectCode::Array, 7, &const { EntryInfo::list::<7>(DataType::INTEGER32, 32, RW) }),
-            object(ObjectCode::Array, 14, &const { EntryInfo::list::<7>(DataType::INTEGER32, 32, RW) }),
-            object(ObjectCode::Array, 21, &const { EntryInfo::list::<5>(DataType::INTEGER32, 32, RO) }),
             object(
                 ObjectCode::Array,
-                26,
-                &[
-                    entry(0, DataType::INTEGER32, 32, RO),
-                    entry(1, DataType::INTEGER32, 32, RW),
-                    entry(2, DataType::INTEGER32, 32, RW),
-                    entry(3, DataType::INTEGER32, 32, RW),
-                    entry(4, DataType::INTEGER32, 32, RW),
-                ],
+                0,
+                10,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
+                &[6],
             ),
-            object(ObjectCode::Array, 31, &const { EntryInfo::list::<7>(DataType::INTEGER32, 32, RW) }),
-            object(ObjectCode::Array, 38, &const { EntryInfo::list::<7>(DataType::INTEGER32, 32, RO) }),
-            object(ObjectCode::Array, 45, &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RO) }),
-            object(ObjectCode::Array, 48, &const { EntryInfo::list::<5>(DataType::INTEGER32, 32, RO) }),
+            object(
+                ObjectCode::Array,
+                0,
+                11,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
+                &[6],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                12,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
+                &[6],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                13,
+                &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
+                &[4],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                14,
+                &[
+                    entry(0, 0, DataType::INTEGER32, 32, RO),
+                    entry(1, 1, DataType::INTEGER32, 32, RW),
+                    entry(2, 2, DataType::INTEGER32, 32, RW),
+                    entry(3, 3, DataType::INTEGER32, 32, RW),
+                    entry(4, 4, DataType::INTEGER32, 32, RW),
+                ],
+                &[],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                15,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
+                &[6],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                16,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RO) },
+                &[6],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                17,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RO) },
+                &[2],
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                18,
+                &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
+                &[4],
+            ),
         ],
-        ordinal: 0,
     };
 
     const SLOTS_60: [u8; 193] = positions(
@@ -3196,58 +3591,64 @@ pub mod dictionary {
 
     const PAGE_60: Page = Page {
         first: 0x3F,
+        axis: 0,
         slots: &SLOTS_60,
         objects: &[
-            object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-            object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-            object(ObjectCode::Variable, 2, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-            object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
-            object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-            object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-            object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+            object(ObjectCode::Variable, 0, 19, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
+            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], &[]),
+            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
+            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
+            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
             object(
                 ObjectCode::Array,
-                7,
-                &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX)) },
+                0,
+                26,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
+                &[2],
             ),
             object(
                 ObjectCode::Array,
-                10,
-                &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX)) },
+                0,
+                27,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
+                &[2],
             ),
-            object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
-            object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+            object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
+            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
             object(
                 ObjectCode::Record,
-                15,
+                0,
+                30,
                 &[
-                    entry(0, DataType::UNSIGNED8, 8, RO),
-                    entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                    entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                    entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                    entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                 ],
+                &[2],
             ),
-            object(ObjectCode::Variable, 18, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-            object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-            object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+            object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
         ],
-        ordinal: 0,
     };
 
     const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
     const PAGE_65: Page = Page {
         first: 0x02,
+        axis: 0,
         slots: &SLOTS_65,
-        objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-        ordinal: 0,
+        objects: &[object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[])],
     };
 
     const SLOTS_67: [u8; 1] = positions(0xFF, &[0xFF]);
 
     const PAGE_67: Page = Page {
         first: 0xFF,
+        axis: 0,
         slots: &SLOTS_67,
-        objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-        ordinal: 0,
+        objects: &[object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[])],
     };
 }

@@ -59,6 +59,13 @@ data_types! {
     UNSIGNED64 = 0x001B, "Unsigned, 8 bytes.";
 }
 
+impl DataType {
+    /// Whether its values may be shorter than their entries: texts, and bytes of any meaning.
+    pub const fn is_text(self) -> bool {
+        matches!(self, Self::VISIBLE_STRING | Self::OCTET_STRING | Self::UNICODE_STRING)
+    }
+}
+
 impl fmt::Display for DataType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.name() {

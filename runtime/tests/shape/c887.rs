@@ -407,32 +407,34 @@ impl core::fmt::Display for ErrorCode {
     }
 }
 
-const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-    EntryInfo { subindex, data_type, bits, access }
+const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+    EntryInfo { subindex, item, data_type, bits, access }
 }
 
-const fn variable(ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-    ObjectInfo { code: ObjectCode::Variable, entries, ordinal }
+const fn variable(field: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+    ObjectInfo { code: ObjectCode::Variable, axis: 0, field, entries, constants: &[] }
 }
 
 const READ_WRITE: Access = Access::READ.and(Access::WRITE);
 
 /// The objects of an axis, the same for each.
 static AXIS_OBJECTS: [ObjectInfo; 7] = [
-    variable(0, &[entry(0, DataType::UNSIGNED16, 16, READ_WRITE.and(Access::RX_PDO))]),
-    variable(1, &[entry(0, DataType::UNSIGNED16, 16, Access::READ.and(Access::TX_PDO))]),
-    variable(2, &[entry(0, DataType::INTEGER8, 8, READ_WRITE.and(Access::RX_PDO))]),
-    variable(3, &[entry(0, DataType::INTEGER8, 8, Access::READ.and(Access::TX_PDO))]),
-    variable(4, &[entry(0, DataType::INTEGER32, 32, Access::READ.and(Access::TX_PDO))]),
-    variable(5, &[entry(0, DataType::INTEGER32, 32, READ_WRITE.and(Access::RX_PDO))]),
+    variable(1, &[entry(0, 0, DataType::UNSIGNED16, 16, READ_WRITE.and(Access::RX_PDO))]),
+    variable(2, &[entry(0, 0, DataType::UNSIGNED16, 16, Access::READ.and(Access::TX_PDO))]),
+    variable(3, &[entry(0, 0, DataType::INTEGER8, 8, READ_WRITE.and(Access::RX_PDO))]),
+    variable(4, &[entry(0, 0, DataType::INTEGER8, 8, Access::READ.and(Access::TX_PDO))]),
+    variable(5, &[entry(0, 0, DataType::INTEGER32, 32, Access::READ.and(Access::TX_PDO))]),
+    variable(6, &[entry(0, 0, DataType::INTEGER32, 32, READ_WRITE.and(Access::RX_PDO))]),
     ObjectInfo {
         code: ObjectCode::Record,
+        axis: 0,
+        field: 7,
         entries: &[
-            entry(0, DataType::UNSIGNED8, 8, Access::READ),
-            entry(1, DataType::INTEGER32, 32, READ_WRITE),
-            entry(2, DataType::INTEGER32, 32, READ_WRITE),
+            entry(0, EntryInfo::CONSTANT, DataType::UNSIGNED8, 8, Access::READ),
+            entry(1, 0, DataType::INTEGER32, 32, READ_WRITE),
+            entry(2, 1, DataType::INTEGER32, 32, READ_WRITE),
         ],
-        ordinal: 6,
+        constants: &[2],
     },
 ];
 
@@ -460,11 +462,11 @@ pub static DICTIONARY: Dictionary = Dictionary {
     pages: &[
         Page {
             first: 0x08,
+            axis: 0,
             slots: &[0],
-            objects: &[variable(0, &[entry(0, DataType::VISIBLE_STRING, 14 * 8, Access::READ)])],
-            ordinal: 0,
+            objects: &[variable(0, &[entry(0, 0, DataType::VISIBLE_STRING, 14 * 8, Access::READ)])],
         },
-        Page { first: 0x40, slots: &AXIS_SLOTS, objects: &AXIS_OBJECTS, ordinal: 1 },
-        Page { first: 0x40, slots: &AXIS_SLOTS, objects: &AXIS_OBJECTS, ordinal: 10 },
+        Page { first: 0x40, axis: 0, slots: &AXIS_SLOTS, objects: &AXIS_OBJECTS },
+        Page { first: 0x40, axis: 1, slots: &AXIS_SLOTS, objects: &AXIS_OBJECTS },
     ],
 };

@@ -4,75 +4,86 @@ use std::collections::BTreeMap;
 
 use devc_runtime::object::{Address, Entry, Marker, Readable, Value, Writable};
 use devc_runtime::sdo::CommunicationState::Operational;
-use devc_runtime::sdo::{AbortCode, Access, DataType, Dictionary, EntryInfo, ObjectCode, ObjectInfo, Page};
+use devc_runtime::sdo::{
+    AbortCode, Access, DataType, Dictionary, EntryInfo, ObjectCode, ObjectInfo, Page, Place,
+};
 
 use crate::c887::{Axis, C887, Controlword, DICTIONARY, objects};
 
-/// Index, number of entries.
-const OBJECTS: [(u16, u8); 15] = [
-    (0x1008, 1),
-    (0x6040, 1),
-    (0x6041, 1),
-    (0x6060, 1),
-    (0x6061, 1),
-    (0x6064, 1),
-    (0x607A, 1),
-    (0x607D, 3),
-    (0x6840, 1),
-    (0x6841, 1),
-    (0x6860, 1),
-    (0x6861, 1),
-    (0x6864, 1),
-    (0x687A, 1),
-    (0x687D, 3),
+/// Index, number of entries, field, axis.
+const OBJECTS: [(u16, u8, u16, u8); 15] = [
+    (0x1008, 1, 0, 0),
+    (0x6040, 1, 1, 0),
+    (0x6041, 1, 2, 0),
+    (0x6060, 1, 3, 0),
+    (0x6061, 1, 4, 0),
+    (0x6064, 1, 5, 0),
+    (0x607A, 1, 6, 0),
+    (0x607D, 3, 7, 0),
+    (0x6840, 1, 1, 1),
+    (0x6841, 1, 2, 1),
+    (0x6860, 1, 3, 1),
+    (0x6861, 1, 4, 1),
+    (0x6864, 1, 5, 1),
+    (0x687A, 1, 6, 1),
+    (0x687D, 3, 7, 1),
 ];
+
+/// The number of entries at subindex 0 of a record never changes.
+fn places((index, count, field, axis): (u16, u8, u16, u8)) -> Vec<(Address, Option<Place>)> {
+    let item = |subindex: u8| if count == 1 { Some(0) } else { subindex.checked_sub(1) };
+    let place = |subindex| item(subindex).map(|item| Place { field, item, axis });
+    (0..count).map(|subindex| (Address::new(index, subindex), place(subindex))).collect()
+}
 
 #[test]
 fn every_address_is_found_or_told_missing() {
-    let subindices =
-        |(index, count): &(u16, u8)| (0..*count).map(|sub| Address::new(*index, sub)).collect::<Vec<_>>();
-    let expected: BTreeMap<Address, u16> = OBJECTS.iter().flat_map(subindices).zip(0..).collect();
+    let expected: BTreeMap<Address, Option<Place>> = OBJECTS.into_iter().flat_map(places).collect();
     for index in 0..=u16::MAX {
         for subindex in [0, 1, 2, 3, 4, 127, 255] {
             let address = Address::new(index, subindex);
-            let found = DICTIONARY.find(address).map(|found| found.ordinal);
-            let missing = match OBJECTS.iter().any(|(of, _)| *of == index) {
+            let found = DICTIONARY.find(address).map(|found| found.place());
+            let missing = match OBJECTS.iter().any(|(of, ..)| *of == index) {
                 true => AbortCode::NO_SUCH_SUBINDEX,
                 false => AbortCode::NO_SUCH_OBJECT,
             };
             assert_eq!(found, expected.get(&address).copied().ok_or(missing), "{address}");
         }
     }
+    let count = DICTIONARY.find(Address::new(0x687D, 0)).unwrap();
+    assert_eq!(count.constant(), Some([2].as_slice()));
 }
 
 #[test]
 fn objects_are_listed_ascending() {
     let listed: Vec<u16> = DICTIONARY.objects().map(|(index, _)| index).collect();
-    assert_eq!(listed, OBJECTS.map(|(index, _)| index));
+    assert_eq!(listed, OBJECTS.map(|(index, ..)| index));
 }
 
 #[test]
 fn subindices_may_have_gaps() {
     const fn byte(subindex: u8) -> EntryInfo {
-        EntryInfo { subindex, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ }
+        EntryInfo { subindex, item: subindex, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ }
     }
     static DICTIONARY: Dictionary = Dictionary {
         directory: &[0; 256],
         pages: &[Page {
             first: 0,
+            axis: 0,
             slots: &[0],
             objects: &[ObjectInfo {
                 code: ObjectCode::Record,
-                entries: &[byte(0), byte(1), byte(4), byte(255)],
-                ordinal: 0,
+                axis: 0,
+                field: 0,
+                entries: &[byte(0), byte(1), byte(4), byte(254)],
+                constants: &[],
             }],
-            ordinal: 0,
         }],
     };
-    let found = |subindex| DICTIONARY.find(Address::new(0x2000, subindex)).map(|found| found.ordinal);
+    let found = |subindex| DICTIONARY.find(Address::new(0x2000, subindex)).map(|found| found.entry.subindex);
     for subindex in 0..=u8::MAX {
-        let expected = [0, 1, 4, 255].iter().zip(0..).find(|(of, _)| **of == subindex);
-        assert_eq!(found(subindex), expected.map(|(_, ordinal)| ordinal).ok_or(AbortCode::NO_SUCH_SUBINDEX));
+        let expected = [0, 1, 4, 254].into_iter().find(|of| *of == subindex);
+        assert_eq!(found(subindex), expected.ok_or(AbortCode::NO_SUCH_SUBINDEX));
     }
 }
 
@@ -81,8 +92,8 @@ fn tables_that_point_nowhere_hold_no_objects() {
     static DICTIONARY: Dictionary = Dictionary {
         directory: &[1; 256],
         pages: &[
-            Page { first: 0, slots: &[], objects: &[], ordinal: 0 },
-            Page { first: 9, slots: &[200; 10], objects: &[], ordinal: 0 },
+            Page { first: 0, axis: 0, slots: &[], objects: &[] },
+            Page { first: 9, axis: 0, slots: &[200; 10], objects: &[] },
         ],
     };
     assert_eq!(DICTIONARY.objects().count(), 0);

@@ -2,6 +2,8 @@
 
 #![cfg(test)]
 
+mod access;
+mod bounded;
 mod c887;
 mod dictionary;
 mod pdos;

@@ -51,8 +51,13 @@ pub(super) fn grouped(value: u64) -> TokenStream {
 
 /// The default of an entry, as its primitive; nothing stands for 0.
 pub(super) fn value(entry: &Entry) -> TokenStream {
+    kept(entry, Primitive::of(entry.data_type))
+}
+
+/// The default of an entry that is kept as this primitive.
+pub(super) fn kept(entry: &Entry, primitive: Primitive) -> TokenStream {
     let data_type = entry.data_type;
-    match (Primitive::of(data_type), entry.default.as_ref()) {
+    match (primitive, entry.default.as_ref()) {
         (Primitive::Bool, value) => {
             let set = value.and_then(Value::integer).is_some_and(|value| value != 0);
             quote!(#set)

@@ -23,8 +23,11 @@ mod names;
 mod objects;
 mod packing;
 mod pdos;
+mod ranges;
 mod scope;
+mod slots;
 mod states;
+mod stored;
 mod table;
 #[cfg(feature = "rust")]
 mod text;

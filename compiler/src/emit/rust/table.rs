@@ -1,35 +1,40 @@
 //! The table that finds an entry by its address, as constant data.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::literal::{hex8, number, parsed};
 use super::scope::Scope;
-use crate::model::{Access, DataType, Entry, Kind, Mappable, Object};
+use super::stored::{Home, Stored, homes};
+use crate::model::{Access, DataType, Entry, Index, Kind, Mappable, Object, Value};
 
 /// Objects whose indices share the high byte.
 struct Page<'a> {
     high: u8,
-    objects: Vec<&'a Object>,
+    objects: Vec<Row<'a>>,
+}
+
+/// An object, and where its values are if it has any that can change.
+struct Row<'a> {
+    object: &'a Object,
+    home: Option<&'a Home>,
 }
 
 impl Page<'_> {
     fn lows(&self) -> impl Iterator<Item = u8> {
-        self.objects.iter().map(|object| object.index.0.to_be_bytes()[1])
+        self.objects.iter().map(|row| row.object.index.0.to_be_bytes()[1])
     }
 
-    fn entries(&self) -> usize {
-        self.objects.iter().map(|object| object.entries.len()).sum()
+    /// The axis from which the objects count theirs.
+    fn axis(&self) -> u8 {
+        self.objects.iter().filter_map(|row| row.home?.axis).min().unwrap_or(0)
     }
 
     /// The table of objects, which says nothing of the high byte: pages of axes that are alike have the same.
     fn table(&self) -> TokenStream {
-        let mut ordinal = 0;
-        let objects = self.objects.iter().map(|one| {
-            let object = object(one, ordinal);
-            ordinal += one.entries.len();
-            object
-        });
+        let objects = self.objects.iter().map(|row| row.tokens(self.axis()));
         quote!([#(#objects),*])
     }
 
@@ -46,10 +51,11 @@ impl Page<'_> {
     }
 }
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let pages = pages(&scope.device.objects);
+pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
+    let homes = homes(stored);
+    let pages = pages(&scope.device.objects, &homes);
     let mut shared: Vec<(String, Ident)> = Vec::new();
-    let (mut tables, mut rows, mut ordinal) = (TokenStream::new(), Vec::new(), 0);
+    let (mut tables, mut rows) = (TokenStream::new(), Vec::new());
     for page in &pages {
         let table = page.table();
         let slots = page.slots();
@@ -61,15 +67,14 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
             shared.push((key, name.clone()));
             name
         });
-        let ordinal_here = number(ordinal);
-        rows.push(quote!(Page { ordinal: #ordinal_here, ..#name }));
-        ordinal += page.entries();
+        let axis = number(page.axis());
+        rows.push(quote!(Page { axis: #axis, ..#name }));
     }
     let highs = pages.iter().map(|page| hex8(page.high));
-    let (runtime, shorthands) = (scope.runtime, shorthands());
+    let shorthands = shorthands();
     quote! {
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: #runtime::sdo::Dictionary = #runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[#(#rows),*],
         };
@@ -80,13 +85,14 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     }
 }
 
-fn pages(objects: &[Object]) -> Vec<Page<'_>> {
+fn pages<'a>(objects: &'a [Object], homes: &'a BTreeMap<Index, Home>) -> Vec<Page<'a>> {
     let mut pages: Vec<Page<'_>> = Vec::new();
     for object in objects {
         let [high, _] = object.index.0.to_be_bytes();
+        let row = Row { object, home: homes.get(&object.index) };
         match pages.last_mut().filter(|page| page.high == high) {
-            Some(page) => page.objects.push(object),
-            None => pages.push(Page { high, objects: vec![object] }),
+            Some(page) => page.objects.push(row),
+            None => pages.push(Page { high, objects: vec![row] }),
         }
     }
     pages
@@ -97,21 +103,36 @@ fn page_const(name: &Ident, page: &Page<'_>, table: &TokenStream, slots: &TokenS
     quote! {
         const #slots_name: #slots;
 
-        const #name: Page = Page { first: #first, slots: &#slots_name, objects: &#table, ordinal: 0 };
+        const #name: Page = Page { first: #first, axis: 0, slots: &#slots_name, objects: &#table };
     }
 }
 
 /// What makes a line of each object and entry.
 fn shorthands() -> TokenStream {
     quote! {
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -123,35 +144,83 @@ fn shorthands() -> TokenStream {
     }
 }
 
-fn object(object: &Object, ordinal: usize) -> TokenStream {
-    let code = match object.kind {
-        Kind::Var => quote!(ObjectCode::Variable),
-        Kind::Array => quote!(ObjectCode::Array),
-        Kind::Record => quote!(ObjectCode::Record),
-    };
-    let ordinal = number(ordinal);
-    if let Some(list) = list(object) {
-        return quote!(object(#code, #ordinal, &const { #list }));
+impl Row<'_> {
+    /// The object on a page whose objects count their axis from this one.
+    fn tokens(&self, axis: u8) -> TokenStream {
+        let code = match self.object.kind {
+            Kind::Var => quote!(ObjectCode::Variable),
+            Kind::Array => quote!(ObjectCode::Array),
+            Kind::Record => quote!(ObjectCode::Record),
+        };
+        let constants = self.constants();
+        let entries = match self.list() {
+            Some(list) => quote!(&const { #list }),
+            None => {
+                let entries = self.object.entries.iter().map(|it| entry(it, self.item(it)));
+                quote!(&[#(#entries),*])
+            }
+        };
+        let Some(home) = self.home else { return quote!(constant(#code, #entries, #constants)) };
+        let own = home.axis.map_or(0, |own| own.saturating_sub(axis));
+        let (axis, field) = (number(own), number(home.field));
+        quote!(object(#code, #axis, #field, #entries, #constants))
     }
-    let entries = object.entries.iter().map(entry);
-    quote!(object(#code, #ordinal, &[#(#entries),*]))
+
+    /// The position among the values that can change.
+    fn item(&self, entry: &Entry) -> Option<usize> {
+        self.home?.subindices.iter().position(|subindex| *subindex == entry.address.subindex)
+    }
+
+    /// The values that cannot.
+    fn constants(&self) -> TokenStream {
+        let fixed = self.object.entries.iter().filter(|entry| self.item(entry).is_none());
+        let bytes: Vec<u8> = fixed.flat_map(bytes).collect();
+        match bytes.as_slice() {
+            [count] => {
+                let count = number(count);
+                quote!(&[#count])
+            }
+            bytes => {
+                let bytes = bytes.iter().map(|byte| hex8(*byte));
+                quote!(&[#(#bytes),*])
+            }
+        }
+    }
+
+    /// The entries of an object that has a number of entries, which never changes, and after that entries all alike.
+    fn list(&self) -> Option<TokenStream> {
+        let (count, items) = self.object.entries.split_first()?;
+        let first = items.first()?;
+        let is_count = count.data_type == DataType::Uint(8) && access(count).to_string() == "RO";
+        let mut in_a_row = self.object.entries.iter().zip(0..=u8::MAX);
+        let in_a_row = in_a_row.all(|(entry, subindex)| entry.address.subindex == subindex);
+        let alike = |it: &Entry| attributes(it).to_string() == attributes(first).to_string();
+        let from = self.item(first);
+        let places = |(it, place)| self.item(it) == from.map(|from| from.saturating_add(place));
+        let is_list = is_count
+            && self.item(count).is_none()
+            && in_a_row
+            && items.iter().all(alike)
+            && items.iter().zip(0..).all(places);
+        let (length, from, attributes) = (number(self.object.entries.len()), place(from), attributes(first));
+        is_list.then(|| quote!(EntryInfo::list::<#length>(#from, #attributes)))
+    }
 }
 
-/// The entries of an object that has a number of entries, read only, and after that entries all alike.
-fn list(object: &Object) -> Option<TokenStream> {
-    let (count, items) = object.entries.split_first()?;
-    let first = items.first()?;
-    let is_count = count.data_type == DataType::Uint(8) && access(count).to_string() == "RO";
-    let in_a_row =
-        object.entries.iter().zip(0..=u8::MAX).all(|(entry, subindex)| entry.address.subindex == subindex);
-    let alike = items.iter().all(|item| attributes(item).to_string() == attributes(first).to_string());
-    let (length, attributes) = (number(object.entries.len()), attributes(first));
-    (is_count && in_a_row && alike).then(|| quote!(EntryInfo::list::<#length>(#attributes)))
+/// The default in the bytes of the type.
+fn bytes(entry: &Entry) -> Vec<u8> {
+    let default = entry.default.as_ref().unwrap_or(&Value::Integer(0));
+    default.little_endian(entry.data_type)
 }
 
-fn entry(entry: &Entry) -> TokenStream {
-    let (subindex, attributes) = (number(entry.address.subindex), attributes(entry));
-    quote!(entry(#subindex, #attributes))
+fn entry(entry: &Entry, item: Option<usize>) -> TokenStream {
+    let (subindex, item, attributes) = (number(entry.address.subindex), place(item), attributes(entry));
+    quote!(entry(#subindex, #item, #attributes))
+}
+
+/// The position of a value among those of its object that can change.
+fn place(item: Option<usize>) -> TokenStream {
+    item.map_or_else(|| quote!(CONSTANT), number)
 }
 
 /// Type, length and rights.
