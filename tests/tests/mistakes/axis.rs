@@ -20,7 +20,7 @@ impl Axis {
         Self {
             drive: Drive::new(machine).resumed(state, 0),
             machine,
-            mode: ModeSwitch::new(machine.modes),
+            mode: ModeSwitch::new(&machine.modes),
             events: Events::NONE,
             target: 0,
             position: 5000,
@@ -62,6 +62,9 @@ impl Axis {
 
     /// How often a bit has risen.
     pub(crate) fn rising(&self, mask: u16) -> usize {
-        self.words.windows(2).filter(|pair| matches!(pair, [before, now] if !before & now & mask != 0)).count()
+        self.words
+            .windows(2)
+            .filter(|pair| matches!(pair, [before, now] if !before & now & mask != 0))
+            .count()
     }
 }

@@ -89,7 +89,12 @@ fn a_fault_reset_is_not_held() {
             line.axis.events = Events::NONE;
             let resets = line.axis.rising(0x0080);
             (0..400).for_each(|_| _ = line.cycle());
-            assert_eq!((line.axis.state(), line.axis.rising(0x0080)), (State::Fault, resets), "{}", line.device);
+            assert_eq!(
+                (line.axis.state(), line.axis.rising(0x0080)),
+                (State::Fault, resets),
+                "{}",
+                line.device
+            );
 
             assert!(line.master.reset_fault());
             line.until(State::SwitchOnDisabled);
