@@ -26,6 +26,9 @@ model! {
         pub values: Vec<ValueRange>,
         /// Where its facts are from.
         pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub origin: Origin,
     }
 
     /// What a value, or each value of a range, means.

@@ -16,6 +16,20 @@ pub enum Literal {
     Text(String),
 }
 
+impl Literal {
+    /// A number that a text holds twice, once in hexadecimal and once in decimal: `"0x14 (20)"`, `"20 (0x14)"`.
+    pub(crate) fn twice(text: &str) -> Option<(i128, i128)> {
+        let (first, second) = text.strip_suffix(')')?.split_once('(')?;
+        let (first, second) = (first.trim(), second.trim());
+        (first.starts_with("0x") != second.starts_with("0x")).then_some(())?;
+        let number = |text: &str| match text.strip_prefix("0x") {
+            Some(digits) => u64::from_str_radix(digits, 16).ok().map(i128::from),
+            None => text.parse::<i64>().ok().map(i128::from),
+        };
+        number(first).zip(number(second))
+    }
+}
+
 impl Default for Literal {
     fn default() -> Self {
         Self::Integer(0)

@@ -66,7 +66,8 @@ pub struct RawEntry {
     pub category: Option<RawCategory>,
     /// The unit of its value, one of `[units]`.
     pub unit: Option<String>,
-    /// The value after start-up.
+    /// The value after start-up. A number can be written as a manual prints it in two columns, `"0x14 (20)"`: the
+    /// first counts, and a rule compares the other.
     pub default: Option<Literal>,
     /// The least value.
     pub min: Option<Literal>,

@@ -54,5 +54,9 @@ fn own(context: &mut Context<'_>, object: &mut Object, raw: Entity<RawEntry>) {
         entry.name = raw.raw.name.clone().unwrap_or_else(|| entry.name.clone());
         entry.about = raw.raw.about.clone().or(entry.about.take());
         entry.note = raw.raw.note.clone().or(entry.note.take());
+        // What is made stays; a rule compares it with what is written.
+        if raw.raw.default.is_some() {
+            entry.origin = raw.origin.clone();
+        }
     }
 }

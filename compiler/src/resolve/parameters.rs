@@ -22,6 +22,7 @@ pub(super) fn parameters(context: &mut Context<'_>, raw: Vec<Entity<RawParameter
             symbol: raw.symbol,
             values: ranges(context, &raw.values, &origin),
             source: facts::source(context, &facts),
+            origin,
         })
         .collect()
 }

@@ -18,7 +18,12 @@ pub(super) fn value(
     path: &str,
     origin: &Origin,
 ) -> Option<Value> {
-    let value = fit(literal, data_type);
+    let value = match literal {
+        Literal::Text(text) if !matches!(data_type, DataType::Text(_)) => {
+            Literal::twice(text).and_then(|(first, _)| fit(&Literal::Integer(first), data_type))
+        }
+        _ => fit(literal, data_type),
+    };
     if value.is_none() {
         let message = format!("{} does not fit {data_type}", shown(literal));
         let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, origin.value(path), holds(data_type));

@@ -8,6 +8,10 @@ rule! {
     ///
     /// ## Fires
     /// ```toml
+    /// [objects]
+    /// 0x2000 = { name = "Speed", type = "INT32", unit = "speed" }
+    /// 0x2001 = { name = "Feed forward", type = "INT32", unit = "feed-forward" }
+    ///
     /// [units.speed]
     /// quantity = "velocity"
     /// symbol = "rpm"
@@ -21,6 +25,10 @@ rule! {
     ///
     /// ## Silent
     /// ```toml
+    /// [objects]
+    /// 0x2000 = { name = "Speed", type = "INT32", unit = "speed" }
+    /// 0x2001 = { name = "Feed forward", type = "INT32", unit = "feed-forward" }
+    ///
     /// [units.speed]
     /// quantity = "velocity"
     /// symbol = "rpm"

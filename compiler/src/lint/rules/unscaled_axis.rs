@@ -10,6 +10,12 @@ rule! {
     /// ```toml
     /// [axes]
     /// names = ["X", "U"]
+    /// shifts = [{ range = "0x6000..=0x67FF", by = 0x800 }]
+    ///
+    /// [objects.0x6064]
+    /// name = "Position"
+    /// type = "INT32"
+    /// unit = "position"
     ///
     /// [units.position]
     /// quantity = "position"
@@ -21,6 +27,12 @@ rule! {
     /// ```toml
     /// [axes]
     /// names = ["X", "U"]
+    /// shifts = [{ range = "0x6000..=0x67FF", by = 0x800 }]
+    ///
+    /// [objects.0x6064]
+    /// name = "Position"
+    /// type = "INT32"
+    /// unit = "position"
     ///
     /// [units.position]
     /// quantity = "position"

@@ -1,0 +1,58 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::{Report, lookup};
+use crate::model::Device;
+
+rule! {
+    /// A value that a PDO calls otherwise than the dictionary does looks like two values to the one who links it. Either
+    /// the PDO maps another object than it says, or one of the names is to go.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Speed"
+    /// type = "INT16"
+    /// pdo = "tx"
+    ///
+    /// [tx-pdos.0x1A00]
+    /// name = "Values"
+    /// entries = [{ entry = "0x2000", name = "Torque" }]
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Speed"
+    /// type = "INT16"
+    /// pdo = "tx"
+    ///
+    /// [tx-pdos.0x1A00]
+    /// name = "Values"
+    /// entries = [{ entry = "0x2000", name = "Speed (actual)" }]
+    /// ```
+    pub(super) static RULE = "renamed-entry", ProcessData, Warning,
+        "a PDO and the dictionary call a value differently";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for (pdo, at, mapped) in lookup::mapped(device) {
+        let Some((object, entry)) = lookup::target(device, mapped) else { continue };
+        if akin(&mapped.name, &object.name) || akin(&mapped.name, &entry.name) {
+            continue;
+        }
+        let name = lookup::name(object, entry);
+        let message = format!("{} calls {name} `{}`", pdo.index, mapped.name);
+        let label = format!("`{}` in the dictionary", object.name);
+        let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "another name")
+            .label(lookup::place(object, entry, "name"), label);
+        report.push(at, diagnostic);
+    }
+}
+
+/// Whether one name is the other, or part of it.
+fn akin(one: &str, other: &str) -> bool {
+    let plain = |name: &str| -> String {
+        name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+    };
+    let (one, other) = (plain(one), plain(other));
+    one.contains(&other) || other.contains(&one)
+}
