@@ -19,7 +19,6 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
             reason = "what of it is used is up to the device and to those who include the module"
         )]
 
-        use #runtime::{Device, error};
         use #runtime::cia402::{
             Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
             Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
@@ -27,6 +26,7 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         use #runtime::error::{ErrorInfo, ErrorRange};
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+        use #runtime::{Device, error};
         #device
         #axes
     }

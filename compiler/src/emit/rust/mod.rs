@@ -13,8 +13,6 @@ mod entry;
 mod errors;
 mod head;
 mod images;
-#[cfg(feature = "rust")]
-mod layout;
 mod literal;
 mod machine;
 mod measure;
