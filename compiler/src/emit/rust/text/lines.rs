@@ -139,7 +139,7 @@ impl Lines<'_> {
         let (begin, before) = (self.marks.get(inner)?, self.marks.get(open + 1..inner)?);
         // a list in braces is the body of something; behind what is wrapped is but its own bracket
         let is_wrapped = list.skip == 0 && end.at + end.skip + 1 == last.at;
-        let is_block = matches!(begin.kind, Kind::Open { group: Group::Block, .. });
+        let is_block = self.text.get(..begin.at).is_some_and(|text| text.ends_with("| {"));
         let is_flat = |mark: &Mark| !matches!(mark.kind, Kind::Line | Kind::Open { is_tall: true, .. });
         let is_alone = before.is_empty() || is_block && before.iter().all(is_flat) && self.fits(begin.at);
         (is_wrapped && is_alone).then_some((inner, begin.at))
