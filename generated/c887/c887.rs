@@ -39,14 +39,15 @@
     clippy::unnecessary_cast,
     reason = "what of it is used is up to the device and to those who include the module"
 )]
-use ::devc_runtime::{Device, error};
+
 use ::devc_runtime::cia402::{
-    Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange,
-    Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
+    Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+    Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
 };
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+use ::devc_runtime::{Device, error};
 
 /// The C-887.53x.
 ///
@@ -491,11 +492,8 @@ pub mod objects {
         /// `0x1C33:01` Synchronization type. UINT16, rw.
         ///
         /// What starts the handling of the inputs.
-        pub const SYNCHRONIZATION_TYPE: Entry<
-            C887,
-            SmInputParameterSynchronizationType,
-            ReadWrite,
-        > = Entry::new(0x1C33, 1);
+        pub const SYNCHRONIZATION_TYPE: Entry<C887, SmInputParameterSynchronizationType, ReadWrite> =
+            Entry::new(0x1C33, 1);
 
         /// `0x1C33:02` Cycle time. UINT32, rw.
         ///
@@ -1520,12 +1518,13 @@ impl RxPdo1600 {
     }
 }
 
-::devc_runtime::process_data!(RxPdo1600 : C887, Rx, 7);
+::devc_runtime::process_data!(RxPdo1600: C887, Rx, 7);
 
 ::devc_runtime::view! {
-    pub RxPdo1600View of RxPdo1600, 7; controlword, set_controlword : Controlword => 0,
-    16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
-    set_target_position : i32 => 24, 32;
+    pub RxPdo1600View of RxPdo1600, 7;
+    controlword, set_controlword: Controlword => 0, 16;
+    modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+    target_position, set_target_position: i32 => 24, 32;
 }
 
 impl RxPdo1600 {
@@ -1597,13 +1596,15 @@ impl RxPdo1601 {
     }
 }
 
-::devc_runtime::process_data!(RxPdo1601 : C887, Rx, 15);
+::devc_runtime::process_data!(RxPdo1601: C887, Rx, 15);
 
 ::devc_runtime::view! {
-    pub RxPdo1601View of RxPdo1601, 15; controlword, set_controlword : Controlword => 0,
-    16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
-    set_target_position : i32 => 24, 32; profile_velocity, set_profile_velocity : u32 =>
-    56, 32; profile_acceleration, set_profile_acceleration : u32 => 88, 32;
+    pub RxPdo1601View of RxPdo1601, 15;
+    controlword, set_controlword: Controlword => 0, 16;
+    modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+    target_position, set_target_position: i32 => 24, 32;
+    profile_velocity, set_profile_velocity: u32 => 56, 32;
+    profile_acceleration, set_profile_acceleration: u32 => 88, 32;
 }
 
 impl RxPdo1601 {
@@ -1669,13 +1670,14 @@ impl TxPdo1A00 {
     }
 }
 
-::devc_runtime::process_data!(TxPdo1A00 : C887, Tx, 11);
+::devc_runtime::process_data!(TxPdo1A00: C887, Tx, 11);
 
 ::devc_runtime::view! {
-    pub TxPdo1A00View of TxPdo1A00, 11; statusword, set_statusword : Statusword => 0, 16;
-    modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
-    position_actual_value, set_position_actual_value : i32 => 24, 32;
-    following_error_actual_value, set_following_error_actual_value : i32 => 56, 32;
+    pub TxPdo1A00View of TxPdo1A00, 11;
+    statusword, set_statusword: Statusword => 0, 16;
+    modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+    position_actual_value, set_position_actual_value: i32 => 24, 32;
+    following_error_actual_value, set_following_error_actual_value: i32 => 56, 32;
 }
 
 impl TxPdo1A00 {
@@ -1736,12 +1738,13 @@ impl TxPdo1A01 {
     }
 }
 
-::devc_runtime::process_data!(TxPdo1A01 : C887, Tx, 7);
+::devc_runtime::process_data!(TxPdo1A01: C887, Tx, 7);
 
 ::devc_runtime::view! {
-    pub TxPdo1A01View of TxPdo1A01, 7; statusword, set_statusword : Statusword => 0, 16;
-    modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
-    position_actual_value, set_position_actual_value : i32 => 24, 32;
+    pub TxPdo1A01View of TxPdo1A01, 7;
+    statusword, set_statusword: Statusword => 0, 16;
+    modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+    position_actual_value, set_position_actual_value: i32 => 24, 32;
 }
 
 impl TxPdo1A01 {
@@ -1795,8 +1798,11 @@ impl Outputs {
     /// The fields out of the frame.
     #[inline]
     pub const fn unpack(
-        [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20, b21,
-         b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40, b41]: [u8; 42],
+        [
+            b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
+            b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
+            b40, b41,
+        ]: [u8; 42],
     ) -> Self {
         Self {
             axes: [
@@ -1811,11 +1817,11 @@ impl Outputs {
     }
 }
 
-::devc_runtime::process_data!(Outputs : C887, Rx, 42);
+::devc_runtime::process_data!(Outputs: C887, Rx, 42);
 
 ::devc_runtime::view! {
-    pub OutputsView of PDOs in Outputs, 42; axes, axes_mut : [RxPdo1600; axis_x, axis_y,
-    axis_z, axis_u, axis_v, axis_w] => 0;
+    pub OutputsView of PDOs in Outputs, 42;
+    axes, axes_mut: [RxPdo1600; axis_x, axis_y, axis_z, axis_u, axis_v, axis_w] => 0;
 }
 
 /// The inputs of the master with the PDOs assigned by default, 66 bytes.
@@ -1849,10 +1855,12 @@ impl Inputs {
     /// The fields out of the frame.
     #[inline]
     pub const fn unpack(
-        [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20, b21,
-         b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40, b41,
-         b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57, b58, b59, b60, b61,
-         b62, b63, b64, b65]: [u8; 66],
+        [
+            b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
+            b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
+            b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57, b58,
+            b59, b60, b61, b62, b63, b64, b65,
+        ]: [u8; 66],
     ) -> Self {
         Self {
             axes: [
@@ -1867,32 +1875,31 @@ impl Inputs {
     }
 }
 
-::devc_runtime::process_data!(Inputs : C887, Tx, 66);
+::devc_runtime::process_data!(Inputs: C887, Tx, 66);
 
 ::devc_runtime::view! {
-    pub InputsView of PDOs in Inputs, 66; axes, axes_mut : [TxPdo1A00; axis_x, axis_y,
-    axis_z, axis_u, axis_v, axis_w] => 0;
+    pub InputsView of PDOs in Inputs, 66;
+    axes, axes_mut: [TxPdo1A00; axis_x, axis_y, axis_z, axis_u, axis_v, axis_w] => 0;
 }
 
 /// How the statusword shows the states.
-pub const STATES: StatePatterns = StatePatterns(
-    &[
-        (State::NotReadyToSwitchOn, Pattern { mask: 0x007F, value: 0x0000 }),
-        (State::SwitchOnDisabled, Pattern { mask: 0x007F, value: 0x0040 }),
-        (State::ReadyToSwitchOn, Pattern { mask: 0x007F, value: 0x0021 }),
-        (State::SwitchedOn, Pattern { mask: 0x007F, value: 0x0033 }),
-        (State::OperationEnabled, Pattern { mask: 0x007F, value: 0x0037 }),
-        (State::QuickStopActive, Pattern { mask: 0x007F, value: 0x0017 }),
-        (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
-        (State::Fault, Pattern { mask: 0x007F, value: 0x0008 }),
-    ],
-);
+pub const STATES: StatePatterns = StatePatterns(&[
+    (State::NotReadyToSwitchOn, Pattern { mask: 0x007F, value: 0x0000 }),
+    (State::SwitchOnDisabled, Pattern { mask: 0x007F, value: 0x0040 }),
+    (State::ReadyToSwitchOn, Pattern { mask: 0x007F, value: 0x0021 }),
+    (State::SwitchedOn, Pattern { mask: 0x007F, value: 0x0033 }),
+    (State::OperationEnabled, Pattern { mask: 0x007F, value: 0x0037 }),
+    (State::QuickStopActive, Pattern { mask: 0x007F, value: 0x0017 }),
+    (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
+    (State::Fault, Pattern { mask: 0x007F, value: 0x0008 }),
+]);
 
 /// The transitions of the drive: number, states before, state after, axes that have to make it.
 pub const TRANSITIONS: &[Transition] = {
     const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
         Transition { number, from: StateSet::of(from), to, coupling }
     }
+
     &[
         transition(0, &[], State::NotReadyToSwitchOn, Coupling::All),
         transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::All),
@@ -2026,9 +2033,8 @@ pub mod commands {
     };
 
     /// Every command.
-    pub const ALL: &[Command] = &[
-        SHUTDOWN, SWITCH_ON, DISABLE_VOLTAGE, QUICK_STOP, DISABLE_OPERATION, ENABLE_OPERATION, FAULT_RESET,
-    ];
+    pub const ALL: &[Command] =
+        &[SHUTDOWN, SWITCH_ON, DISABLE_VOLTAGE, QUICK_STOP, DISABLE_OPERATION, ENABLE_OPERATION, FAULT_RESET];
 }
 
 /// `0x6060` The modes of operation.
@@ -2274,9 +2280,8 @@ impl ErrorCode {
 
     /// Unallowable move attempted on unreferenced axis, or move attempted with servo off. Error register
     /// 0x81. Vendor code 5. (p. 18 to 20)
-    pub const UNALLOWABLE_MOVE_ATTEMPTED_ON_UNREFERENCED_AXIS_OR_MOVE_ATTEMPTED_WITH_SERVO_OFF: Self = Self(
-        0xFF05,
-    );
+    pub const UNALLOWABLE_MOVE_ATTEMPTED_ON_UNREFERENCED_AXIS_OR_MOVE_ATTEMPTED_WITH_SERVO_OFF: Self =
+        Self(0xFF05);
 
     /// Error/Timeout During Homing Process. Error register 0x81. Vendor code 45. (p. 18 to 20)
     pub const ERROR_TIMEOUT_DURING_HOMING_PROCESS: Self = Self(0xFF06);
@@ -2314,6 +2319,7 @@ impl error::ErrorCode for ErrorCode {
         ) -> ErrorInfo {
             ErrorInfo { code, name, register, vendor_codes, text }
         }
+
         &[
             info(0x0000, "no error", None, &[], "GCS error 0, error register 0."),
             info(
@@ -2464,9 +2470,9 @@ impl error::ErrorCode for ErrorCode {
             ),
         ]
     };
-    const RANGES: &'static [ErrorRange] = &[
-        ErrorRange { first: 0xFF00, last: 0xFFFF, name: "Manufacturer-specific Error Codes" },
-    ];
+
+    const RANGES: &'static [ErrorRange] =
+        &[ErrorRange { first: 0xFF00, last: 0xFFFF, name: "Manufacturer-specific Error Codes" }];
 
     fn code(self) -> u16 {
         self.0
@@ -2532,10 +2538,7 @@ pub mod units {
     /// Angular velocity in SDOs: a step is 1/1000 deg/s.
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_ANGULAR_VELOCITY: Unit<C887, AngularVelocity> = Unit::of::<
-        1_000_000,
-        1,
-    >();
+    pub const SDO_ANGULAR_VELOCITY: Unit<C887, AngularVelocity> = Unit::of::<1_000_000, 1>();
 
     /// Acceleration in SDOs: a step is 1 µm/s².
     ///
@@ -2545,10 +2548,7 @@ pub mod units {
     /// Angular acceleration in SDOs: a step is 1/1000 deg/s².
     ///
     /// Source: p. 14, p. 17.
-    pub const SDO_ANGULAR_ACCELERATION: Unit<C887, AngularAcceleration> = Unit::of::<
-        1_000_000,
-        1,
-    >();
+    pub const SDO_ANGULAR_ACCELERATION: Unit<C887, AngularAcceleration> = Unit::of::<1_000_000, 1>();
 }
 
 /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
@@ -3172,8 +3172,8 @@ pub mod dictionary {
     const DIRECTORY: [u8; 256] = positions(
         0,
         &[
-            0x10, 0x16, 0x1A, 0x1C, 0x50, 0x60, 0x65, 0x67, 0x68, 0x6D, 0x6F, 0x70, 0x75,
-            0x77, 0x78, 0x7D, 0x7F, 0x80, 0x85, 0x87, 0x88, 0x8D, 0x8F,
+            0x10, 0x16, 0x1A, 0x1C, 0x50, 0x60, 0x65, 0x67, 0x68, 0x6D, 0x6F, 0x70, 0x75, 0x77, 0x78, 0x7D,
+            0x7F, 0x80, 0x85, 0x87, 0x88, 0x8D, 0x8F,
         ],
     );
 
@@ -3231,10 +3231,8 @@ pub mod dictionary {
         ],
     };
 
-    const SLOTS_16: [u8; 82] = positions(
-        0x00,
-        &[0x00, 0x01, 0x10, 0x11, 0x20, 0x21, 0x30, 0x31, 0x40, 0x41, 0x50, 0x51],
-    );
+    const SLOTS_16: [u8; 82] =
+        positions(0x00, &[0x00, 0x01, 0x10, 0x11, 0x20, 0x21, 0x30, 0x31, 0x40, 0x41, 0x50, 0x51]);
 
     const PAGE_16: Page = Page {
         first: 0x00,
@@ -3322,10 +3320,8 @@ pub mod dictionary {
         ],
     };
 
-    const SLOTS_1A: [u8; 82] = positions(
-        0x00,
-        &[0x00, 0x01, 0x10, 0x11, 0x20, 0x21, 0x30, 0x31, 0x40, 0x41, 0x50, 0x51],
-    );
+    const SLOTS_1A: [u8; 82] =
+        positions(0x00, &[0x00, 0x01, 0x10, 0x11, 0x20, 0x21, 0x30, 0x31, 0x40, 0x41, 0x50, 0x51]);
 
     const PAGE_1A: Page = Page {
         first: 0x00,

@@ -2,6 +2,7 @@
 
 //! The devices of the family PMC SC6/SI6.
 #![allow(clippy::module_inception, reason = "a family may bear the name of a member")]
+
 pub mod double {
     //! Pilz PMC SC6/SI6 double-axis, CiA 402: Servo drive controller with EtherCAT interface.
     //!
@@ -30,15 +31,15 @@ pub mod double {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402.
     ///
@@ -317,11 +318,8 @@ pub mod double {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                Double,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<Double, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -400,11 +398,8 @@ pub mod double {
             /// `0x1C33:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the inputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                Double,
-                SmInputParameterSynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C33, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<Double, SmInputParameterSynchronizationType, ReadWrite> =
+                Entry::new(0x1C33, 1);
 
             /// `0x1C33:02` Cycle time. UINT32, rw.
             ///
@@ -2675,21 +2670,20 @@ pub mod double {
             let [b11, b12, b13, b14] = self.velocity_offset.to_le_bytes();
             let [b15, b16] = self.torque_offset.to_le_bytes();
             let [b17, b18] = self.target_torque.to_le_bytes();
-            let [b19, b20, b21, b22] = self
-                .digital_outputs_physical_outputs
-                .0
-                .to_le_bytes();
+            let [b19, b20, b21, b22] = self.digital_outputs_physical_outputs.0.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22]: [u8; 23],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ]: [u8; 23],
         ) -> Self {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
@@ -2704,16 +2698,18 @@ pub mod double {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1600 : Double, Rx, 23);
+    ::devc_runtime::process_data!(RxPdo1600: Double, Rx, 23);
 
     ::devc_runtime::view! {
-        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
-        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
-        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
-        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
-        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
-        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
-        PhysicalOutputs => 152, 32;
+        pub RxPdo1600View of RxPdo1600, 23;
+        controlword, set_controlword: Controlword => 0, 16;
+        modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+        target_position, set_target_position: i32 => 24, 32;
+        target_velocity, set_target_velocity: i32 => 56, 32;
+        velocity_offset, set_velocity_offset: i32 => 88, 32;
+        torque_offset, set_torque_offset: i16 => 120, 16;
+        target_torque, set_target_torque: i16 => 136, 16;
+        digital_outputs_physical_outputs, set_digital_outputs_physical_outputs: PhysicalOutputs => 152, 32;
     }
 
     impl RxPdo1600 {
@@ -2783,22 +2779,23 @@ pub mod double {
             let [b11, b12] = self.torque_actual_value.to_le_bytes();
             let [b13, b14, b15, b16] = self.following_error_actual_value.to_le_bytes();
             let [b17, b18, b19, b20] = self.digital_inputs.0.to_le_bytes();
-            let [b21, b22, b23, b24] = self
-                .additional_position_actual_value_1st_additional_position_actual_value
-                .to_le_bytes();
+            let [b21, b22, b23, b24] =
+                self.additional_position_actual_value_1st_additional_position_actual_value.to_le_bytes();
             let [b25, b26] = self.status_word_2.to_le_bytes();
             let [b27, b28] = self.status_word_user_defined.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28]: [u8; 29],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ]: [u8; 29],
         ) -> Self {
             Self {
                 statusword: Statusword(u16::from_le_bytes([b0, b1])),
@@ -2809,10 +2806,7 @@ pub mod double {
                 following_error_actual_value: i32::from_le_bytes([b13, b14, b15, b16]),
                 digital_inputs: DigitalInputs(u32::from_le_bytes([b17, b18, b19, b20])),
                 additional_position_actual_value_1st_additional_position_actual_value: i32::from_le_bytes([
-                    b21,
-                    b22,
-                    b23,
-                    b24,
+                    b21, b22, b23, b24,
                 ]),
                 status_word_2: u16::from_le_bytes([b25, b26]),
                 status_word_user_defined: u16::from_le_bytes([b27, b28]),
@@ -2820,20 +2814,20 @@ pub mod double {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1A00 : Double, Tx, 29);
+    ::devc_runtime::process_data!(TxPdo1A00: Double, Tx, 29);
 
     ::devc_runtime::view! {
-        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
-        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
-        position_actual_value, set_position_actual_value : i32 => 24, 32;
-        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
-        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
-        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
-        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
-        additional_position_actual_value_1st_additional_position_actual_value,
-        set_additional_position_actual_value_1st_additional_position_actual_value : i32
-        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
-        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
+        pub TxPdo1A00View of TxPdo1A00, 29;
+        statusword, set_statusword: Statusword => 0, 16;
+        modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+        position_actual_value, set_position_actual_value: i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value: i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value: i32 => 104, 32;
+        digital_inputs, set_digital_inputs: DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value, set_additional_position_actual_value_1st_additional_position_actual_value: i32 => 168, 32;
+        status_word_2, set_status_word_2: u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined: u16 => 216, 16;
     }
 
     impl TxPdo1A00 {
@@ -2878,23 +2872,29 @@ pub mod double {
         #[inline]
         pub const fn pack(self) -> [u8; 46] {
             let [axis_a, axis_b] = self.axes;
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22] = axis_a.pack();
-            let [b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36,
-            b37, b38, b39, b40, b41, b42, b43, b44, b45] = axis_b.pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ] = axis_a.pack();
+            let [
+                b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40,
+                b41, b42, b43, b44, b45,
+            ] = axis_b.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-                b40, b41, b42, b43, b44, b45,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-             b40, b41, b42, b43, b44, b45]: [u8; 46],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45,
+            ]: [u8; 46],
         ) -> Self {
             Self {
                 axes: [
@@ -2911,11 +2911,11 @@ pub mod double {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : Double, Rx, 46);
+    ::devc_runtime::process_data!(Outputs: Double, Rx, 46);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 46; axes, axes_mut : [RxPdo1600; axis_a,
-        axis_b] => 0;
+        pub OutputsView of PDOs in Outputs, 46;
+        axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
@@ -2932,25 +2932,31 @@ pub mod double {
         #[inline]
         pub const fn pack(self) -> [u8; 58] {
             let [axis_a, axis_b] = self.axes;
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22, b23, b24, b25, b26, b27, b28] = axis_a
-                .pack();
-            let [b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40, b41, b42,
-            b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57] = axis_b
-                .pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ] = axis_a.pack();
+            let [
+                b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40, b41, b42, b43, b44, b45, b46,
+                b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57,
+            ] = axis_b.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-                b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55,
+                b56, b57,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-             b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57]: [u8; 58],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55,
+                b56, b57,
+            ]: [u8; 58],
         ) -> Self {
             Self {
                 axes: [
@@ -2967,32 +2973,31 @@ pub mod double {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : Double, Tx, 58);
+    ::devc_runtime::process_data!(Inputs: Double, Tx, 58);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 58; axes, axes_mut : [TxPdo1A00; axis_a,
-        axis_b] => 0;
+        pub InputsView of PDOs in Inputs, 58;
+        axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
-            (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
+        (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -3306,12 +3311,8 @@ pub mod double {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0010,
-        reached: 0x0400,
-        attained: 0x1000,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -3364,7 +3365,7 @@ pub mod double {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -3858,268 +3859,36 @@ pub mod double {
             pub buffer_clear: BufferClear,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    4 => self.identity_object.slot(place.item),
-                    5 => self.sm_output_parameter.slot(place.item),
-                    6 => self.sm_input_parameter.slot(place.item),
-                    _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
-                }
-            }
-        }
-
-        impl AxisDictionary {
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => {
-                        self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32)
-                    }
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => {
-                        self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32)
-                    }
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
-                    69 => {
-                        self.additional_position_actual_value
-                            .get_mut(item)
-                            .map(sdo::Slot::I32)
-                    }
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => {
-                        self.digital_outputs
-                            .get_mut(item)
-                            .map(|item| sdo::Slot::U32(&mut item.0))
-                    }
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityAcceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityDeceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityQuickStop {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataConfiguration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
-                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
-                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
-                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_16 },
-                Page { axis: 0, ..PAGE_1A },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_28 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_60 },
-                Page { axis: 1, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_20 },
-                Page { axis: 1, ..PAGE_28 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 9, ..PAGE_16 },
+                Page { ordinal: 27, ..PAGE_1A },
+                Page { ordinal: 49, ..PAGE_1C },
+                Page { ordinal: 88, ..PAGE_20 },
+                Page { ordinal: 89, ..PAGE_28 },
+                Page { ordinal: 90, ..PAGE_60 },
+                Page { ordinal: 212, ..PAGE_65 },
+                Page { ordinal: 213, ..PAGE_60 },
+                Page { ordinal: 335, ..PAGE_65 },
+                Page { ordinal: 336, ..PAGE_20 },
+                Page { ordinal: 337, ..PAGE_28 },
             ],
         };
 
-        const DIRECTORY: [u8; 256] = positions(
-            0,
-            &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8],
-        );
+        const DIRECTORY: [u8; 256] =
+            positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -4128,622 +3897,304 @@ pub mod double {
         const OP: Access = Access::WRITE_OPERATIONAL;
         const RX: Access = Access::RX_PDO;
         const TX: Access = Access::TX_PDO;
-
         const SLOTS_10: [u8; 25] = positions(0x00, &[0x00, 0x08, 0x09, 0x0A, 0x18]);
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    4,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_16,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00,
-                        0x7A, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10,
-                        0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01, 0xFE, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00,
-                        0x7A, 0x68, 0x20, 0x00, 0xFF, 0x68, 0x20, 0x00, 0xB1, 0x68, 0x10,
-                        0x00, 0xB2, 0x68, 0x10, 0x00, 0x71, 0x68, 0x20, 0x01, 0xFE, 0x68,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 9, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1A,
             objects: &[
-                constant(
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) }),
+                object(
                     ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00,
-                        0x64, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20, 0x01, 0xE4, 0x60,
-                        0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0A, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00,
-                        0x64, 0x68, 0x20, 0x00, 0x6C, 0x68, 0x10, 0x00, 0x77, 0x68, 0x20,
-                        0x00, 0xF4, 0x68, 0x20, 0x00, 0xFD, 0x68, 0x20, 0x01, 0xE4, 0x68,
-                        0x10, 0x00, 0xC9, 0xA8, 0x10, 0x00, 0x43, 0xA0,
-                    ],
+                    11,
+                    &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x02, 0x00, 0x16, 0x01, 0x16],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x02, 0x00, 0x1A, 0x01, 0x1A],
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
+                object(ObjectCode::Array, 5, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
+                object(ObjectCode::Array, 8, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
+                object(
+                    ObjectCode::Record,
+                    11,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    5,
+                    25,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    6,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
-            axis: 0,
             slots: &SLOTS_20,
-            objects: &[
-                object(ObjectCode::Variable, 0, 7, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
-            axis: 0,
             slots: &SLOTS_28,
-            objects: &[
-                object(ObjectCode::Variable, 0, 8, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 193] = positions(
             0x3F,
             &[
-                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C,
-                0x5A, 0x5E, 0x60, 0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77,
-                0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D, 0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85,
-                0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1, 0xB2, 0xB8, 0xB9,
-                0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
+                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
+                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
+                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
+                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
                 0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x3F,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    &[],
+                    ObjectCode::Array,
+                    6,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Record,
+                    9,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
                     12,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    0,
+                    ObjectCode::Record,
                     15,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    &[2],
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
+                    ObjectCode::Array,
                     18,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    21,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
+                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    20,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    39,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    26,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    27,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    29,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    30,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    31,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    34,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    36,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    38,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    46,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    47,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    49,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    50,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    52,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     53,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    54,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    55,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     56,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    62,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
+                    60,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    63,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    64,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
-                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
-                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
-                    ],
-                    &[5],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    &[2],
-                ),
+                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    &[20],
+                    76,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(
+                    ObjectCode::Record,
+                    78,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
+                    81,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RO),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED8, 8, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RW),
+                        entry(5, DataType::UNSIGNED8, 8, WO),
+                        entry(6, DataType::UNSIGNED8, 8, WO),
+                    ],
+                ),
+                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
+                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    0,
-                    69,
-                    &const {
-                        EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[1],
+                    114,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    70,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    &[1],
+                    119,
+                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    74,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }
@@ -4776,15 +4227,15 @@ pub mod single {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402.
     ///
@@ -4991,11 +4442,8 @@ pub mod single {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                Single,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<Single, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -5074,11 +4522,8 @@ pub mod single {
             /// `0x1C33:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the inputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                Single,
-                SmInputParameterSynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C33, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<Single, SmInputParameterSynchronizationType, ReadWrite> =
+                Entry::new(0x1C33, 1);
 
             /// `0x1C33:02` Cycle time. UINT32, rw.
             ///
@@ -5291,20 +4736,14 @@ pub mod single {
         /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const QUICK_STOP_OPTION_CODE: Entry<
-            Single,
-            QuickStopOptionCode,
-            ReadWrite,
-        > = Entry::new(0x605A, 0);
+        pub const QUICK_STOP_OPTION_CODE: Entry<Single, QuickStopOptionCode, ReadWrite> =
+            Entry::new(0x605A, 0);
 
         /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// What the drive does when a fault is found.
-        pub const FAULT_REACTION_OPTION_CODE: Entry<
-            Single,
-            FaultReactionOptionCode,
-            ReadWrite,
-        > = Entry::new(0x605E, 0);
+        pub const FAULT_REACTION_OPTION_CODE: Entry<Single, FaultReactionOptionCode, ReadWrite> =
+            Entry::new(0x605E, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
         ///
@@ -5612,11 +5051,8 @@ pub mod single {
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<
-            Single,
-            InterpolationSubModeSelect,
-            ReadWrite,
-        > = Entry::new(0x60C0, 0);
+        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<Single, InterpolationSubModeSelect, ReadWrite> =
+            Entry::new(0x60C0, 0);
 
         /// `0x60C1` Interpolation data record.
         ///
@@ -5685,11 +5121,8 @@ pub mod single {
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
             ///
             /// There for compatibility only, it does nothing.
-            pub const BUFFER_ORGANISATION: Entry<
-                Single,
-                BufferOrganisation,
-                ReadWrite,
-            > = Entry::new(0x60C4, 3);
+            pub const BUFFER_ORGANISATION: Entry<Single, BufferOrganisation, ReadWrite> =
+                Entry::new(0x60C4, 3);
 
             /// `0x60C4:04` Buffer position. UINT16, rw.
             ///
@@ -5825,22 +5258,16 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60E4, 0);
 
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
-            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<
-                Single,
-                i32,
-                ReadOnly,
-            > = Entry::new(0x60E4, 1);
+            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly> =
+                Entry::new(0x60E4, 1);
         }
 
         /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
         /// turns.
-        pub const POSITIONING_OPTION_CODE: Entry<
-            Single,
-            PositioningOptionCode,
-            ReadWrite,
-        > = Entry::new(0x60F2, 0);
+        pub const POSITIONING_OPTION_CODE: Entry<Single, PositioningOptionCode, ReadWrite> =
+            Entry::new(0x60F2, 0);
 
         /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
@@ -7119,21 +6546,20 @@ pub mod single {
             let [b11, b12, b13, b14] = self.velocity_offset.to_le_bytes();
             let [b15, b16] = self.torque_offset.to_le_bytes();
             let [b17, b18] = self.target_torque.to_le_bytes();
-            let [b19, b20, b21, b22] = self
-                .digital_outputs_physical_outputs
-                .0
-                .to_le_bytes();
+            let [b19, b20, b21, b22] = self.digital_outputs_physical_outputs.0.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22]: [u8; 23],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ]: [u8; 23],
         ) -> Self {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
@@ -7148,20 +6574,23 @@ pub mod single {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1600 : Single, Rx, 23);
+    ::devc_runtime::process_data!(RxPdo1600: Single, Rx, 23);
 
     ::devc_runtime::view! {
-        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
-        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
-        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
-        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
-        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
-        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
-        PhysicalOutputs => 152, 32;
+        pub RxPdo1600View of RxPdo1600, 23;
+        controlword, set_controlword: Controlword => 0, 16;
+        modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+        target_position, set_target_position: i32 => 24, 32;
+        target_velocity, set_target_velocity: i32 => 56, 32;
+        velocity_offset, set_velocity_offset: i32 => 88, 32;
+        torque_offset, set_torque_offset: i16 => 120, 16;
+        target_torque, set_target_torque: i16 => 136, 16;
+        digital_outputs_physical_outputs, set_digital_outputs_physical_outputs: PhysicalOutputs => 152, 32;
     }
 
     impl Pdo for RxPdo1600 {
         const INDEX: u16 = 0x1600;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
             Mapping { address: Address::new(0x6060, 0), bits: 8 },
@@ -7215,22 +6644,23 @@ pub mod single {
             let [b11, b12] = self.torque_actual_value.to_le_bytes();
             let [b13, b14, b15, b16] = self.following_error_actual_value.to_le_bytes();
             let [b17, b18, b19, b20] = self.digital_inputs.0.to_le_bytes();
-            let [b21, b22, b23, b24] = self
-                .additional_position_actual_value_1st_additional_position_actual_value
-                .to_le_bytes();
+            let [b21, b22, b23, b24] =
+                self.additional_position_actual_value_1st_additional_position_actual_value.to_le_bytes();
             let [b25, b26] = self.status_word_2.to_le_bytes();
             let [b27, b28] = self.status_word_user_defined.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28]: [u8; 29],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ]: [u8; 29],
         ) -> Self {
             Self {
                 statusword: Statusword(u16::from_le_bytes([b0, b1])),
@@ -7241,10 +6671,7 @@ pub mod single {
                 following_error_actual_value: i32::from_le_bytes([b13, b14, b15, b16]),
                 digital_inputs: DigitalInputs(u32::from_le_bytes([b17, b18, b19, b20])),
                 additional_position_actual_value_1st_additional_position_actual_value: i32::from_le_bytes([
-                    b21,
-                    b22,
-                    b23,
-                    b24,
+                    b21, b22, b23, b24,
                 ]),
                 status_word_2: u16::from_le_bytes([b25, b26]),
                 status_word_user_defined: u16::from_le_bytes([b27, b28]),
@@ -7252,24 +6679,25 @@ pub mod single {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1A00 : Single, Tx, 29);
+    ::devc_runtime::process_data!(TxPdo1A00: Single, Tx, 29);
 
     ::devc_runtime::view! {
-        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
-        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
-        position_actual_value, set_position_actual_value : i32 => 24, 32;
-        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
-        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
-        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
-        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
-        additional_position_actual_value_1st_additional_position_actual_value,
-        set_additional_position_actual_value_1st_additional_position_actual_value : i32
-        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
-        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
+        pub TxPdo1A00View of TxPdo1A00, 29;
+        statusword, set_statusword: Statusword => 0, 16;
+        modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+        position_actual_value, set_position_actual_value: i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value: i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value: i32 => 104, 32;
+        digital_inputs, set_digital_inputs: DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value, set_additional_position_actual_value_1st_additional_position_actual_value: i32 => 168, 32;
+        status_word_2, set_status_word_2: u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined: u16 => 216, 16;
     }
 
     impl Pdo for TxPdo1A00 {
         const INDEX: u16 = 0x1A00;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
             Mapping { address: Address::new(0x6061, 0), bits: 8 },
@@ -7297,19 +6725,23 @@ pub mod single {
         /// The fields as they are in the frame.
         #[inline]
         pub const fn pack(self) -> [u8; 23] {
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22] = self.rx_pdo_1600.pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ] = self.rx_pdo_1600.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22]: [u8; 23],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ]: [u8; 23],
         ) -> Self {
             Self {
                 rx_pdo_1600: RxPdo1600::unpack([
@@ -7320,11 +6752,11 @@ pub mod single {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : Single, Rx, 23);
+    ::devc_runtime::process_data!(Outputs: Single, Rx, 23);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 23; rx_pdo_1600, rx_pdo_1600_mut : RxPdo1600
-        => 0;
+        pub OutputsView of PDOs in Outputs, 23;
+        rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
@@ -7340,21 +6772,23 @@ pub mod single {
         /// The fields as they are in the frame.
         #[inline]
         pub const fn pack(self) -> [u8; 29] {
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22, b23, b24, b25, b26, b27, b28] = self
-                .tx_pdo_1a00
-                .pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ] = self.tx_pdo_1a00.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28]: [u8; 29],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ]: [u8; 29],
         ) -> Self {
             Self {
                 tx_pdo_1a00: TxPdo1A00::unpack([
@@ -7365,32 +6799,31 @@ pub mod single {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : Single, Tx, 29);
+    ::devc_runtime::process_data!(Inputs: Single, Tx, 29);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 29; tx_pdo_1a00, tx_pdo_1a00_mut : TxPdo1A00 =>
-        0;
+        pub InputsView of PDOs in Inputs, 29;
+        tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
-            (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
+        (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -7704,12 +7137,8 @@ pub mod single {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0010,
-        reached: 0x0400,
-        attained: 0x1000,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -7762,7 +7191,7 @@ pub mod single {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -8236,253 +7665,31 @@ pub mod single {
             pub buffer_clear: BufferClear,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    4 => self.identity_object.slot(place.item),
-                    5 => self.sm_output_parameter.slot(place.item),
-                    6 => self.sm_input_parameter.slot(place.item),
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => {
-                        self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32)
-                    }
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => {
-                        self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32)
-                    }
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
-                    69 => {
-                        self.additional_position_actual_value
-                            .get_mut(item)
-                            .map(sdo::Slot::I32)
-                    }
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => {
-                        self.digital_outputs
-                            .get_mut(item)
-                            .map(|item| sdo::Slot::U32(&mut item.0))
-                    }
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityAcceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityDeceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityQuickStop {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataConfiguration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
-                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
-                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
-                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_16 },
-                Page { axis: 0, ..PAGE_1A },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_28 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 9, ..PAGE_16 },
+                Page { ordinal: 18, ..PAGE_1A },
+                Page { ordinal: 29, ..PAGE_1C },
+                Page { ordinal: 66, ..PAGE_20 },
+                Page { ordinal: 67, ..PAGE_28 },
+                Page { ordinal: 68, ..PAGE_60 },
+                Page { ordinal: 190, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] = positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -8491,599 +7698,302 @@ pub mod single {
         const OP: Access = Access::WRITE_OPERATIONAL;
         const RX: Access = Access::RX_PDO;
         const TX: Access = Access::TX_PDO;
-
         const SLOTS_10: [u8; 25] = positions(0x00, &[0x00, 0x08, 0x09, 0x0A, 0x18]);
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    4,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_16,
-            objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00,
-                        0x7A, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10,
-                        0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01, 0xFE, 0x60,
-                    ],
-                ),
-            ],
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) },
+            )],
+            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1A,
-            objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00,
-                        0x64, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20, 0x01, 0xE4, 0x60,
-                        0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
-                    ],
-                ),
-            ],
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
+            )],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x01, 0x00, 0x16],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x01, 0x00, 0x1A],
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
+                object(ObjectCode::Array, 5, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
+                object(ObjectCode::Array, 7, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
+                object(
+                    ObjectCode::Record,
+                    9,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    5,
+                    23,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    6,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
-            axis: 0,
             slots: &SLOTS_20,
-            objects: &[
-                object(ObjectCode::Variable, 0, 7, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
-            axis: 0,
             slots: &SLOTS_28,
-            objects: &[
-                object(ObjectCode::Variable, 0, 8, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 193] = positions(
             0x3F,
             &[
-                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C,
-                0x5A, 0x5E, 0x60, 0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77,
-                0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D, 0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85,
-                0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1, 0xB2, 0xB8, 0xB9,
-                0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
+                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
+                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
+                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
+                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
                 0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x3F,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    &[],
+                    ObjectCode::Array,
+                    6,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Record,
+                    9,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
                     12,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    0,
+                    ObjectCode::Record,
                     15,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    &[2],
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
+                    ObjectCode::Array,
                     18,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    21,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
+                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    20,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    39,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    26,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    27,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    29,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    30,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    31,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    34,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    36,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    38,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    46,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    47,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    49,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    50,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    52,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     53,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    54,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    55,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     56,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    62,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
+                    60,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    63,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    64,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
-                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
-                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
-                    ],
-                    &[5],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    &[2],
-                ),
+                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    &[20],
+                    76,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(
+                    ObjectCode::Record,
+                    78,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
+                    81,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RO),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED8, 8, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RW),
+                        entry(5, DataType::UNSIGNED8, 8, WO),
+                        entry(6, DataType::UNSIGNED8, 8, WO),
+                    ],
+                ),
+                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
+                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    0,
-                    69,
-                    &const {
-                        EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[1],
+                    114,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    70,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    &[1],
+                    119,
+                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    74,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }
@@ -9116,15 +8026,15 @@ pub mod double_hires {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
     ///
@@ -9403,11 +8313,8 @@ pub mod double_hires {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                DoubleHires,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<DoubleHires, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -9423,11 +8330,8 @@ pub mod double_hires {
             ///
             /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
             /// clocks, bits 5 and 6 those to shift the outputs, bit 14 that times depend on what is configured.
-            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<
-                DoubleHires,
-                u16,
-                ReadOnly,
-            > = Entry::new(0x1C32, 4);
+            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<DoubleHires, u16, ReadOnly> =
+                Entry::new(0x1C32, 4);
 
             /// `0x1C32:05` Minimum cycle time. UINT32, ro.
             ///
@@ -9510,11 +8414,8 @@ pub mod double_hires {
             ///
             /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
             /// clocks, bits 5 and 6 those to shift the inputs, bit 14 that times depend on what is configured.
-            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<
-                DoubleHires,
-                u16,
-                ReadOnly,
-            > = Entry::new(0x1C33, 4);
+            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<DoubleHires, u16, ReadOnly> =
+                Entry::new(0x1C33, 4);
 
             /// `0x1C33:05` Minimum cycle time. UINT32, ro.
             ///
@@ -11777,21 +10678,20 @@ pub mod double_hires {
             let [b11, b12, b13, b14] = self.velocity_offset.to_le_bytes();
             let [b15, b16] = self.torque_offset.to_le_bytes();
             let [b17, b18] = self.target_torque.to_le_bytes();
-            let [b19, b20, b21, b22] = self
-                .digital_outputs_physical_outputs
-                .0
-                .to_le_bytes();
+            let [b19, b20, b21, b22] = self.digital_outputs_physical_outputs.0.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22]: [u8; 23],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ]: [u8; 23],
         ) -> Self {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
@@ -11806,16 +10706,18 @@ pub mod double_hires {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1600 : DoubleHires, Rx, 23);
+    ::devc_runtime::process_data!(RxPdo1600: DoubleHires, Rx, 23);
 
     ::devc_runtime::view! {
-        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
-        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
-        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
-        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
-        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
-        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
-        PhysicalOutputs => 152, 32;
+        pub RxPdo1600View of RxPdo1600, 23;
+        controlword, set_controlword: Controlword => 0, 16;
+        modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+        target_position, set_target_position: i32 => 24, 32;
+        target_velocity, set_target_velocity: i32 => 56, 32;
+        velocity_offset, set_velocity_offset: i32 => 88, 32;
+        torque_offset, set_torque_offset: i16 => 120, 16;
+        target_torque, set_target_torque: i16 => 136, 16;
+        digital_outputs_physical_outputs, set_digital_outputs_physical_outputs: PhysicalOutputs => 152, 32;
     }
 
     impl RxPdo1600 {
@@ -11885,22 +10787,23 @@ pub mod double_hires {
             let [b11, b12] = self.torque_actual_value.to_le_bytes();
             let [b13, b14, b15, b16] = self.following_error_actual_value.to_le_bytes();
             let [b17, b18, b19, b20] = self.digital_inputs.0.to_le_bytes();
-            let [b21, b22, b23, b24] = self
-                .additional_position_actual_value_1st_additional_position_actual_value
-                .to_le_bytes();
+            let [b21, b22, b23, b24] =
+                self.additional_position_actual_value_1st_additional_position_actual_value.to_le_bytes();
             let [b25, b26] = self.status_word_2.to_le_bytes();
             let [b27, b28] = self.status_word_user_defined.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28]: [u8; 29],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ]: [u8; 29],
         ) -> Self {
             Self {
                 statusword: Statusword(u16::from_le_bytes([b0, b1])),
@@ -11911,10 +10814,7 @@ pub mod double_hires {
                 following_error_actual_value: i32::from_le_bytes([b13, b14, b15, b16]),
                 digital_inputs: DigitalInputs(u32::from_le_bytes([b17, b18, b19, b20])),
                 additional_position_actual_value_1st_additional_position_actual_value: i32::from_le_bytes([
-                    b21,
-                    b22,
-                    b23,
-                    b24,
+                    b21, b22, b23, b24,
                 ]),
                 status_word_2: u16::from_le_bytes([b25, b26]),
                 status_word_user_defined: u16::from_le_bytes([b27, b28]),
@@ -11922,20 +10822,20 @@ pub mod double_hires {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1A00 : DoubleHires, Tx, 29);
+    ::devc_runtime::process_data!(TxPdo1A00: DoubleHires, Tx, 29);
 
     ::devc_runtime::view! {
-        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
-        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
-        position_actual_value, set_position_actual_value : i32 => 24, 32;
-        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
-        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
-        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
-        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
-        additional_position_actual_value_1st_additional_position_actual_value,
-        set_additional_position_actual_value_1st_additional_position_actual_value : i32
-        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
-        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
+        pub TxPdo1A00View of TxPdo1A00, 29;
+        statusword, set_statusword: Statusword => 0, 16;
+        modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+        position_actual_value, set_position_actual_value: i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value: i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value: i32 => 104, 32;
+        digital_inputs, set_digital_inputs: DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value, set_additional_position_actual_value_1st_additional_position_actual_value: i32 => 168, 32;
+        status_word_2, set_status_word_2: u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined: u16 => 216, 16;
     }
 
     impl TxPdo1A00 {
@@ -11980,23 +10880,29 @@ pub mod double_hires {
         #[inline]
         pub const fn pack(self) -> [u8; 46] {
             let [axis_a, axis_b] = self.axes;
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22] = axis_a.pack();
-            let [b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36,
-            b37, b38, b39, b40, b41, b42, b43, b44, b45] = axis_b.pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ] = axis_a.pack();
+            let [
+                b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40,
+                b41, b42, b43, b44, b45,
+            ] = axis_b.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-                b40, b41, b42, b43, b44, b45,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-             b40, b41, b42, b43, b44, b45]: [u8; 46],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45,
+            ]: [u8; 46],
         ) -> Self {
             Self {
                 axes: [
@@ -12013,11 +10919,11 @@ pub mod double_hires {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : DoubleHires, Rx, 46);
+    ::devc_runtime::process_data!(Outputs: DoubleHires, Rx, 46);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 46; axes, axes_mut : [RxPdo1600; axis_a,
-        axis_b] => 0;
+        pub OutputsView of PDOs in Outputs, 46;
+        axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
@@ -12034,25 +10940,31 @@ pub mod double_hires {
         #[inline]
         pub const fn pack(self) -> [u8; 58] {
             let [axis_a, axis_b] = self.axes;
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22, b23, b24, b25, b26, b27, b28] = axis_a
-                .pack();
-            let [b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40, b41, b42,
-            b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57] = axis_b
-                .pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ] = axis_a.pack();
+            let [
+                b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39, b40, b41, b42, b43, b44, b45, b46,
+                b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57,
+            ] = axis_b.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-                b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55,
+                b56, b57,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39,
-             b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55, b56, b57]: [u8; 58],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39, b40, b41, b42, b43, b44, b45, b46, b47, b48, b49, b50, b51, b52, b53, b54, b55,
+                b56, b57,
+            ]: [u8; 58],
         ) -> Self {
             Self {
                 axes: [
@@ -12069,32 +10981,31 @@ pub mod double_hires {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : DoubleHires, Tx, 58);
+    ::devc_runtime::process_data!(Inputs: DoubleHires, Tx, 58);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 58; axes, axes_mut : [TxPdo1A00; axis_a,
-        axis_b] => 0;
+        pub InputsView of PDOs in Inputs, 58;
+        axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
-            (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
+        (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -12408,12 +11319,8 @@ pub mod double_hires {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0010,
-        reached: 0x0400,
-        attained: 0x1000,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -12428,7 +11335,7 @@ pub mod double_hires {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::Scale;
+        use ::devc_runtime::unit::{Scale};
 
         /// Position: a step is 1 user unit / 10^I06.
         ///
@@ -12465,7 +11372,7 @@ pub mod double_hires {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12959,268 +11866,36 @@ pub mod double_hires {
             pub buffer_clear: BufferClear,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    4 => self.identity_object.slot(place.item),
-                    5 => self.sm_output_parameter.slot(place.item),
-                    6 => self.sm_input_parameter.slot(place.item),
-                    _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
-                }
-            }
-        }
-
-        impl AxisDictionary {
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => {
-                        self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32)
-                    }
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => {
-                        self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32)
-                    }
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
-                    69 => {
-                        self.additional_position_actual_value
-                            .get_mut(item)
-                            .map(sdo::Slot::I32)
-                    }
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => {
-                        self.digital_outputs
-                            .get_mut(item)
-                            .map(|item| sdo::Slot::U32(&mut item.0))
-                    }
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityAcceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityDeceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityQuickStop {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataConfiguration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
-                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
-                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
-                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_16 },
-                Page { axis: 0, ..PAGE_1A },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_28 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_60 },
-                Page { axis: 1, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_20 },
-                Page { axis: 1, ..PAGE_28 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 9, ..PAGE_16 },
+                Page { ordinal: 27, ..PAGE_1A },
+                Page { ordinal: 49, ..PAGE_1C },
+                Page { ordinal: 88, ..PAGE_20 },
+                Page { ordinal: 89, ..PAGE_28 },
+                Page { ordinal: 90, ..PAGE_60 },
+                Page { ordinal: 212, ..PAGE_65 },
+                Page { ordinal: 213, ..PAGE_60 },
+                Page { ordinal: 335, ..PAGE_65 },
+                Page { ordinal: 336, ..PAGE_20 },
+                Page { ordinal: 337, ..PAGE_28 },
             ],
         };
 
-        const DIRECTORY: [u8; 256] = positions(
-            0,
-            &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8],
-        );
+        const DIRECTORY: [u8; 256] =
+            positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -13229,622 +11904,304 @@ pub mod double_hires {
         const OP: Access = Access::WRITE_OPERATIONAL;
         const RX: Access = Access::RX_PDO;
         const TX: Access = Access::TX_PDO;
-
         const SLOTS_10: [u8; 25] = positions(0x00, &[0x00, 0x08, 0x09, 0x0A, 0x18]);
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    4,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_16,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00,
-                        0x7A, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10,
-                        0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01, 0xFE, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00,
-                        0x7A, 0x68, 0x20, 0x00, 0xFF, 0x68, 0x20, 0x00, 0xB1, 0x68, 0x10,
-                        0x00, 0xB2, 0x68, 0x10, 0x00, 0x71, 0x68, 0x20, 0x01, 0xFE, 0x68,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 9, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1A,
             objects: &[
-                constant(
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) }),
+                object(
                     ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00,
-                        0x64, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20, 0x01, 0xE4, 0x60,
-                        0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0A, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00,
-                        0x64, 0x68, 0x20, 0x00, 0x6C, 0x68, 0x10, 0x00, 0x77, 0x68, 0x20,
-                        0x00, 0xF4, 0x68, 0x20, 0x00, 0xFD, 0x68, 0x20, 0x01, 0xE4, 0x68,
-                        0x10, 0x00, 0xC9, 0xA8, 0x10, 0x00, 0x43, 0xA0,
-                    ],
+                    11,
+                    &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x02, 0x00, 0x16, 0x01, 0x16],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x02, 0x00, 0x1A, 0x01, 0x1A],
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
+                object(ObjectCode::Array, 5, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
+                object(ObjectCode::Array, 8, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
+                object(
+                    ObjectCode::Record,
+                    11,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    5,
+                    25,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    6,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
-            axis: 0,
             slots: &SLOTS_20,
-            objects: &[
-                object(ObjectCode::Variable, 0, 7, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
-            axis: 0,
             slots: &SLOTS_28,
-            objects: &[
-                object(ObjectCode::Variable, 0, 8, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 193] = positions(
             0x3F,
             &[
-                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C,
-                0x5A, 0x5E, 0x60, 0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77,
-                0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D, 0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85,
-                0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1, 0xB2, 0xB8, 0xB9,
-                0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
+                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
+                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
+                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
+                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
                 0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x3F,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    &[],
+                    ObjectCode::Array,
+                    6,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Record,
+                    9,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
                     12,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    0,
+                    ObjectCode::Record,
                     15,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    &[2],
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
+                    ObjectCode::Array,
                     18,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    21,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
+                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    20,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    39,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    26,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    27,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    29,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    30,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    31,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    34,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    36,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    38,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    46,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    47,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    49,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    50,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    52,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     53,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    54,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    55,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     56,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    62,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
+                    60,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    63,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    64,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
-                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
-                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
-                    ],
-                    &[5],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    &[2],
-                ),
+                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    &[20],
+                    76,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(
+                    ObjectCode::Record,
+                    78,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
+                    81,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RO),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED8, 8, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RW),
+                        entry(5, DataType::UNSIGNED8, 8, WO),
+                        entry(6, DataType::UNSIGNED8, 8, WO),
+                    ],
+                ),
+                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
+                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    0,
-                    69,
-                    &const {
-                        EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[1],
+                    114,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    70,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    &[1],
+                    119,
+                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    74,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }
@@ -13877,15 +12234,15 @@ pub mod single_hires {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402 HiRes Motion.
     ///
@@ -14092,11 +12449,8 @@ pub mod single_hires {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                SingleHires,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<SingleHires, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -14112,11 +12466,8 @@ pub mod single_hires {
             ///
             /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
             /// clocks, bits 5 and 6 those to shift the outputs, bit 14 that times depend on what is configured.
-            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<
-                SingleHires,
-                u16,
-                ReadOnly,
-            > = Entry::new(0x1C32, 4);
+            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<SingleHires, u16, ReadOnly> =
+                Entry::new(0x1C32, 4);
 
             /// `0x1C32:05` Minimum cycle time. UINT32, ro.
             ///
@@ -14199,11 +12550,8 @@ pub mod single_hires {
             ///
             /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
             /// clocks, bits 5 and 6 those to shift the inputs, bit 14 that times depend on what is configured.
-            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<
-                SingleHires,
-                u16,
-                ReadOnly,
-            > = Entry::new(0x1C33, 4);
+            pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<SingleHires, u16, ReadOnly> =
+                Entry::new(0x1C33, 4);
 
             /// `0x1C33:05` Minimum cycle time. UINT32, ro.
             ///
@@ -14373,18 +12721,12 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x604B, 0);
 
             /// `0x604B:01` Vl set-point factor numerator. INT16, rw, RxPDO and TxPDO.
-            pub const VL_SET_POINT_FACTOR_NUMERATOR: Entry<
-                SingleHires,
-                i16,
-                ReadWrite,
-            > = Entry::new(0x604B, 1);
+            pub const VL_SET_POINT_FACTOR_NUMERATOR: Entry<SingleHires, i16, ReadWrite> =
+                Entry::new(0x604B, 1);
 
             /// `0x604B:02` Vl set-point factor denominator. INT16, rw, RxPDO and TxPDO.
-            pub const VL_SET_POINT_FACTOR_DENOMINATOR: Entry<
-                SingleHires,
-                i16,
-                ReadWrite,
-            > = Entry::new(0x604B, 2);
+            pub const VL_SET_POINT_FACTOR_DENOMINATOR: Entry<SingleHires, i16, ReadWrite> =
+                Entry::new(0x604B, 2);
         }
 
         /// `0x604C` Vl dimension factor.
@@ -14399,37 +12741,25 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x604C, 0);
 
             /// `0x604C:01` Vl dimension factor numerator. INT32, rw, RxPDO and TxPDO.
-            pub const VL_DIMENSION_FACTOR_NUMERATOR: Entry<
-                SingleHires,
-                i32,
-                ReadWrite,
-            > = Entry::new(0x604C, 1);
+            pub const VL_DIMENSION_FACTOR_NUMERATOR: Entry<SingleHires, i32, ReadWrite> =
+                Entry::new(0x604C, 1);
 
             /// `0x604C:02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
-            pub const VL_DIMENSION_FACTOR_DENOMINATOR: Entry<
-                SingleHires,
-                i32,
-                ReadWrite,
-            > = Entry::new(0x604C, 2);
+            pub const VL_DIMENSION_FACTOR_DENOMINATOR: Entry<SingleHires, i32, ReadWrite> =
+                Entry::new(0x604C, 2);
         }
 
         /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const QUICK_STOP_OPTION_CODE: Entry<
-            SingleHires,
-            QuickStopOptionCode,
-            ReadWrite,
-        > = Entry::new(0x605A, 0);
+        pub const QUICK_STOP_OPTION_CODE: Entry<SingleHires, QuickStopOptionCode, ReadWrite> =
+            Entry::new(0x605A, 0);
 
         /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// What the drive does when a fault is found.
-        pub const FAULT_REACTION_OPTION_CODE: Entry<
-            SingleHires,
-            FaultReactionOptionCode,
-            ReadWrite,
-        > = Entry::new(0x605E, 0);
+        pub const FAULT_REACTION_OPTION_CODE: Entry<SingleHires, FaultReactionOptionCode, ReadWrite> =
+            Entry::new(0x605E, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
         ///
@@ -14655,17 +12985,12 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6099, 0);
 
             /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<
-                SingleHires,
-                u32,
-                ReadWrite,
-            > = Entry::new(0x6099, 1);
+            pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<SingleHires, u32, ReadWrite> =
+                Entry::new(0x6099, 1);
 
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<SingleHires, u32, ReadWrite> = Entry::new(
-                0x6099,
-                2,
-            );
+            pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<SingleHires, u32, ReadWrite> =
+                Entry::new(0x6099, 2);
         }
 
         /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1, Tab.
@@ -14710,11 +13035,8 @@ pub mod single_hires {
         /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Switches the touch probes on and says which edges of which signal they look for.
-        pub const TOUCH_PROBE_FUNCTION: Entry<
-            SingleHires,
-            TouchProbeFunction,
-            ReadWrite,
-        > = Entry::new(0x60B8, 0);
+        pub const TOUCH_PROBE_FUNCTION: Entry<SingleHires, TouchProbeFunction, ReadWrite> =
+            Entry::new(0x60B8, 0);
 
         /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -14748,11 +13070,8 @@ pub mod single_hires {
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<
-            SingleHires,
-            InterpolationSubModeSelect,
-            ReadWrite,
-        > = Entry::new(0x60C0, 0);
+        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<SingleHires, InterpolationSubModeSelect, ReadWrite> =
+            Entry::new(0x60C0, 0);
 
         /// `0x60C1` Interpolation data record.
         ///
@@ -14787,11 +13106,8 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<
-                SingleHires,
-                u8,
-                ReadWrite,
-            > = Entry::new(0x60C2, 1);
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<SingleHires, u8, ReadWrite> =
+                Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO.
             pub const INTERPOLATION_TIME_INDEX: Entry<SingleHires, i8, ReadWrite> = Entry::new(0x60C2, 2);
@@ -14825,11 +13141,8 @@ pub mod single_hires {
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
             ///
             /// There for compatibility only, it does nothing.
-            pub const BUFFER_ORGANISATION: Entry<
-                SingleHires,
-                BufferOrganisation,
-                ReadWrite,
-            > = Entry::new(0x60C4, 3);
+            pub const BUFFER_ORGANISATION: Entry<SingleHires, BufferOrganisation, ReadWrite> =
+                Entry::new(0x60C4, 3);
 
             /// `0x60C4:04` Buffer position. UINT16, rw.
             ///
@@ -14920,70 +13233,48 @@ pub mod single_hires {
             pub const _9TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 9);
 
             /// `0x60E3:0A` 10th supported homing method. INT8, ro.
-            pub const _10TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                10,
-            );
+            pub const _10TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 10);
 
             /// `0x60E3:0B` 11th supported homing method. INT8, ro.
-            pub const _11TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                11,
-            );
+            pub const _11TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 11);
 
             /// `0x60E3:0C` 12th supported homing method. INT8, ro.
-            pub const _12TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                12,
-            );
+            pub const _12TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 12);
 
             /// `0x60E3:0D` 13th supported homing method. INT8, ro.
-            pub const _13TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                13,
-            );
+            pub const _13TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 13);
 
             /// `0x60E3:0E` 14th supported homing method. INT8, ro.
-            pub const _14TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                14,
-            );
+            pub const _14TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 14);
 
             /// `0x60E3:0F` 15th supported homing method. INT8, ro.
-            pub const _15TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                15,
-            );
+            pub const _15TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 15);
 
             /// `0x60E3:10` 16th supported homing method. INT8, ro.
-            pub const _16TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                16,
-            );
+            pub const _16TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 16);
 
             /// `0x60E3:11` 17th supported homing method. INT8, ro.
-            pub const _17TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                17,
-            );
+            pub const _17TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 17);
 
             /// `0x60E3:12` 18th supported homing method. INT8, ro.
-            pub const _18TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                18,
-            );
+            pub const _18TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 18);
 
             /// `0x60E3:13` 19th supported homing method. INT8, ro.
-            pub const _19TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                19,
-            );
+            pub const _19TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 19);
 
             /// `0x60E3:14` 20th supported homing method. INT8, ro.
-            pub const _20TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(
-                0x60E3,
-                20,
-            );
+            pub const _20TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+                Entry::new(0x60E3, 20);
         }
 
         /// `0x60E4` Additional position actual value / 1st value.
@@ -14998,22 +13289,16 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60E4, 0);
 
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
-            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<
-                SingleHires,
-                i32,
-                ReadOnly,
-            > = Entry::new(0x60E4, 1);
+            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly> =
+                Entry::new(0x60E4, 1);
         }
 
         /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
         /// turns.
-        pub const POSITIONING_OPTION_CODE: Entry<
-            SingleHires,
-            PositioningOptionCode,
-            ReadWrite,
-        > = Entry::new(0x60F2, 0);
+        pub const POSITIONING_OPTION_CODE: Entry<SingleHires, PositioningOptionCode, ReadWrite> =
+            Entry::new(0x60F2, 0);
 
         /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
@@ -15041,10 +13326,8 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60FE, 0);
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
-            pub const PHYSICAL_OUTPUTS: Entry<SingleHires, PhysicalOutputs, ReadWrite> = Entry::new(
-                0x60FE,
-                1,
-            );
+            pub const PHYSICAL_OUTPUTS: Entry<SingleHires, PhysicalOutputs, ReadWrite> =
+                Entry::new(0x60FE, 1);
         }
 
         /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
@@ -15057,11 +13340,8 @@ pub mod single_hires {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The modes of operation that the drive knows, a bit for each.
-        pub const SUPPORTED_DRIVE_MODES: Entry<
-            SingleHires,
-            SupportedDriveModes,
-            ReadOnly,
-        > = Entry::new(0x6502, 0);
+        pub const SUPPORTED_DRIVE_MODES: Entry<SingleHires, SupportedDriveModes, ReadOnly> =
+            Entry::new(0x6502, 0);
     }
 
     /// `0x6040` Control word.
@@ -16299,21 +14579,20 @@ pub mod single_hires {
             let [b11, b12, b13, b14] = self.velocity_offset.to_le_bytes();
             let [b15, b16] = self.torque_offset.to_le_bytes();
             let [b17, b18] = self.target_torque.to_le_bytes();
-            let [b19, b20, b21, b22] = self
-                .digital_outputs_physical_outputs
-                .0
-                .to_le_bytes();
+            let [b19, b20, b21, b22] = self.digital_outputs_physical_outputs.0.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22]: [u8; 23],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ]: [u8; 23],
         ) -> Self {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
@@ -16328,20 +14607,23 @@ pub mod single_hires {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1600 : SingleHires, Rx, 23);
+    ::devc_runtime::process_data!(RxPdo1600: SingleHires, Rx, 23);
 
     ::devc_runtime::view! {
-        pub RxPdo1600View of RxPdo1600, 23; controlword, set_controlword : Controlword =>
-        0, 16; modes_of_operation, set_modes_of_operation : i8 => 16, 8; target_position,
-        set_target_position : i32 => 24, 32; target_velocity, set_target_velocity : i32
-        => 56, 32; velocity_offset, set_velocity_offset : i32 => 88, 32; torque_offset,
-        set_torque_offset : i16 => 120, 16; target_torque, set_target_torque : i16 =>
-        136, 16; digital_outputs_physical_outputs, set_digital_outputs_physical_outputs :
-        PhysicalOutputs => 152, 32;
+        pub RxPdo1600View of RxPdo1600, 23;
+        controlword, set_controlword: Controlword => 0, 16;
+        modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+        target_position, set_target_position: i32 => 24, 32;
+        target_velocity, set_target_velocity: i32 => 56, 32;
+        velocity_offset, set_velocity_offset: i32 => 88, 32;
+        torque_offset, set_torque_offset: i16 => 120, 16;
+        target_torque, set_target_torque: i16 => 136, 16;
+        digital_outputs_physical_outputs, set_digital_outputs_physical_outputs: PhysicalOutputs => 152, 32;
     }
 
     impl Pdo for RxPdo1600 {
         const INDEX: u16 = 0x1600;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
             Mapping { address: Address::new(0x6060, 0), bits: 8 },
@@ -16395,22 +14677,23 @@ pub mod single_hires {
             let [b11, b12] = self.torque_actual_value.to_le_bytes();
             let [b13, b14, b15, b16] = self.following_error_actual_value.to_le_bytes();
             let [b17, b18, b19, b20] = self.digital_inputs.0.to_le_bytes();
-            let [b21, b22, b23, b24] = self
-                .additional_position_actual_value_1st_additional_position_actual_value
-                .to_le_bytes();
+            let [b21, b22, b23, b24] =
+                self.additional_position_actual_value_1st_additional_position_actual_value.to_le_bytes();
             let [b25, b26] = self.status_word_2.to_le_bytes();
             let [b27, b28] = self.status_word_user_defined.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28]: [u8; 29],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ]: [u8; 29],
         ) -> Self {
             Self {
                 statusword: Statusword(u16::from_le_bytes([b0, b1])),
@@ -16421,10 +14704,7 @@ pub mod single_hires {
                 following_error_actual_value: i32::from_le_bytes([b13, b14, b15, b16]),
                 digital_inputs: DigitalInputs(u32::from_le_bytes([b17, b18, b19, b20])),
                 additional_position_actual_value_1st_additional_position_actual_value: i32::from_le_bytes([
-                    b21,
-                    b22,
-                    b23,
-                    b24,
+                    b21, b22, b23, b24,
                 ]),
                 status_word_2: u16::from_le_bytes([b25, b26]),
                 status_word_user_defined: u16::from_le_bytes([b27, b28]),
@@ -16432,24 +14712,25 @@ pub mod single_hires {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1A00 : SingleHires, Tx, 29);
+    ::devc_runtime::process_data!(TxPdo1A00: SingleHires, Tx, 29);
 
     ::devc_runtime::view! {
-        pub TxPdo1A00View of TxPdo1A00, 29; statusword, set_statusword : Statusword => 0,
-        16; modes_of_operation_display, set_modes_of_operation_display : i8 => 16, 8;
-        position_actual_value, set_position_actual_value : i32 => 24, 32;
-        velocity_actual_value, set_velocity_actual_value : i32 => 56, 32;
-        torque_actual_value, set_torque_actual_value : i16 => 88, 16;
-        following_error_actual_value, set_following_error_actual_value : i32 => 104, 32;
-        digital_inputs, set_digital_inputs : DigitalInputs => 136, 32;
-        additional_position_actual_value_1st_additional_position_actual_value,
-        set_additional_position_actual_value_1st_additional_position_actual_value : i32
-        => 168, 32; status_word_2, set_status_word_2 : u16 => 200, 16;
-        status_word_user_defined, set_status_word_user_defined : u16 => 216, 16;
+        pub TxPdo1A00View of TxPdo1A00, 29;
+        statusword, set_statusword: Statusword => 0, 16;
+        modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+        position_actual_value, set_position_actual_value: i32 => 24, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 56, 32;
+        torque_actual_value, set_torque_actual_value: i16 => 88, 16;
+        following_error_actual_value, set_following_error_actual_value: i32 => 104, 32;
+        digital_inputs, set_digital_inputs: DigitalInputs => 136, 32;
+        additional_position_actual_value_1st_additional_position_actual_value, set_additional_position_actual_value_1st_additional_position_actual_value: i32 => 168, 32;
+        status_word_2, set_status_word_2: u16 => 200, 16;
+        status_word_user_defined, set_status_word_user_defined: u16 => 216, 16;
     }
 
     impl Pdo for TxPdo1A00 {
         const INDEX: u16 = 0x1A00;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
             Mapping { address: Address::new(0x6061, 0), bits: 8 },
@@ -16477,19 +14758,23 @@ pub mod single_hires {
         /// The fields as they are in the frame.
         #[inline]
         pub const fn pack(self) -> [u8; 23] {
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22] = self.rx_pdo_1600.pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ] = self.rx_pdo_1600.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22]: [u8; 23],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22,
+            ]: [u8; 23],
         ) -> Self {
             Self {
                 rx_pdo_1600: RxPdo1600::unpack([
@@ -16500,11 +14785,11 @@ pub mod single_hires {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : SingleHires, Rx, 23);
+    ::devc_runtime::process_data!(Outputs: SingleHires, Rx, 23);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 23; rx_pdo_1600, rx_pdo_1600_mut : RxPdo1600
-        => 0;
+        pub OutputsView of PDOs in Outputs, 23;
+        rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
@@ -16520,21 +14805,23 @@ pub mod single_hires {
         /// The fields as they are in the frame.
         #[inline]
         pub const fn pack(self) -> [u8; 29] {
-            let [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15,
-            b16, b17, b18, b19, b20, b21, b22, b23, b24, b25, b26, b27, b28] = self
-                .tx_pdo_1a00
-                .pack();
+            let [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ] = self.tx_pdo_1a00.pack();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27, b28,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28]: [u8; 29],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28,
+            ]: [u8; 29],
         ) -> Self {
             Self {
                 tx_pdo_1a00: TxPdo1A00::unpack([
@@ -16545,32 +14832,31 @@ pub mod single_hires {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : SingleHires, Tx, 29);
+    ::devc_runtime::process_data!(Inputs: SingleHires, Tx, 29);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 29; tx_pdo_1a00, tx_pdo_1a00_mut : TxPdo1A00 =>
-        0;
+        pub InputsView of PDOs in Inputs, 29;
+        tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
-            (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x006F, value: 0x0021 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0007 }),
+        (State::FaultReactionActive, Pattern { mask: 0x004F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -16884,12 +15170,8 @@ pub mod single_hires {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0010,
-        reached: 0x0400,
-        attained: 0x1000,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -16904,7 +15186,7 @@ pub mod single_hires {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::Scale;
+        use ::devc_runtime::unit::{Scale};
 
         /// Position: a step is 1 user unit / 10^I06.
         ///
@@ -16941,7 +15223,7 @@ pub mod single_hires {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17415,253 +15697,31 @@ pub mod single_hires {
             pub buffer_clear: BufferClear,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    4 => self.identity_object.slot(place.item),
-                    5 => self.sm_output_parameter.slot(place.item),
-                    6 => self.sm_input_parameter.slot(place.item),
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => {
-                        self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32)
-                    }
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => {
-                        self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32)
-                    }
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
-                    69 => {
-                        self.additional_position_actual_value
-                            .get_mut(item)
-                            .map(sdo::Slot::I32)
-                    }
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => {
-                        self.digital_outputs
-                            .get_mut(item)
-                            .map(|item| sdo::Slot::U32(&mut item.0))
-                    }
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityAcceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityDeceleration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl VlVelocityQuickStop {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
-                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataConfiguration {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
-                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
-                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
-                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_16 },
-                Page { axis: 0, ..PAGE_1A },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_28 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 9, ..PAGE_16 },
+                Page { ordinal: 18, ..PAGE_1A },
+                Page { ordinal: 29, ..PAGE_1C },
+                Page { ordinal: 66, ..PAGE_20 },
+                Page { ordinal: 67, ..PAGE_28 },
+                Page { ordinal: 68, ..PAGE_60 },
+                Page { ordinal: 190, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] = positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -17670,599 +15730,302 @@ pub mod single_hires {
         const OP: Access = Access::WRITE_OPERATIONAL;
         const RX: Access = Access::RX_PDO;
         const TX: Access = Access::TX_PDO;
-
         const SLOTS_10: [u8; 25] = positions(0x00, &[0x00, 0x08, 0x09, 0x0A, 0x18]);
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    4,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
+                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_16,
-            objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00,
-                        0x7A, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10,
-                        0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01, 0xFE, 0x60,
-                    ],
-                ),
-            ],
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) },
+            )],
+            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1A,
-            objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00,
-                        0x64, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20, 0x01, 0xE4, 0x60,
-                        0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
-                    ],
-                ),
-            ],
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
+            )],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x01, 0x00, 0x16],
-                ),
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO)
-                    },
-                    &[0x01, 0x00, 0x1A],
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
+                object(ObjectCode::Array, 5, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
+                object(ObjectCode::Array, 7, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
+                object(
+                    ObjectCode::Record,
+                    9,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    5,
+                    23,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    6,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
-            axis: 0,
             slots: &SLOTS_20,
-            objects: &[
-                object(ObjectCode::Variable, 0, 7, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
-            axis: 0,
             slots: &SLOTS_28,
-            objects: &[
-                object(ObjectCode::Variable, 0, 8, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 193] = positions(
             0x3F,
             &[
-                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C,
-                0x5A, 0x5E, 0x60, 0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77,
-                0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D, 0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85,
-                0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1, 0xB2, 0xB8, 0xB9,
-                0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
+                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
+                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
+                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
+                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
                 0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x3F,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    &[],
+                    ObjectCode::Array,
+                    6,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Record,
+                    9,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
                     12,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    0,
+                    ObjectCode::Record,
                     15,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    &[2],
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
+                    ObjectCode::Array,
                     18,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    &[2],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    21,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
+                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    20,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
+                    39,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    26,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    27,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    29,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    30,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    31,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    34,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    36,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    38,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    46,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    47,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    49,
-                    &const {
-                        EntryInfo::list::<
-                            3,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    50,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    52,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
                     53,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
                 object(
-                    ObjectCode::Variable,
-                    0,
-                    54,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    55,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     56,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    62,
-                    &const {
-                        EntryInfo::list::<
-                            2,
-                        >(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))
-                    },
-                    &[1],
+                    60,
+                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    63,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                    &[2],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    64,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
-                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
-                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
-                    ],
-                    &[5],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
+                    ObjectCode::Array,
                     65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    &[2],
-                ),
+                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    &[20],
+                    76,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                 ),
+                object(
+                    ObjectCode::Record,
+                    78,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
+                    81,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED32, 32, RO),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED8, 8, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RW),
+                        entry(5, DataType::UNSIGNED8, 8, WO),
+                        entry(6, DataType::UNSIGNED8, 8, WO),
+                    ],
+                ),
+                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
+                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    0,
-                    69,
-                    &const {
-                        EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[1],
+                    114,
+                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    70,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    &[1],
+                    119,
+                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    74,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }

@@ -2,6 +2,7 @@
 
 //! The devices of the family S300/S400/S600/S700.
 #![allow(clippy::module_inception, reason = "a family may bear the name of a member")]
+
 pub mod s300 {
     //! Kollmorgen S300: SERVOSTAR 300 servo amplifier with EtherCAT expansion card.
     //!
@@ -27,15 +28,15 @@ pub mod s300 {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The S300.
     ///
@@ -799,11 +800,8 @@ pub mod s300 {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S300,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S300, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -882,11 +880,8 @@ pub mod s300 {
             /// `0x1C33:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the inputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S300,
-                SmInputParameterSynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C33, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S300, SmInputParameterSynchronizationType, ReadWrite> =
+                Entry::new(0x1C33, 1);
 
             /// `0x1C33:02` Cycle time. UINT32, rw.
             ///
@@ -2182,15 +2177,16 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1600 : S300, Rx, 2);
+    ::devc_runtime::process_data!(RxPdo1600: S300, Rx, 2);
 
     ::devc_runtime::view! {
-        pub RxPdo1600View of RxPdo1600, 2; controlword, set_controlword : Controlword =>
-        0, 16;
+        pub RxPdo1600View of RxPdo1600, 2;
+        controlword, set_controlword: Controlword => 0, 16;
     }
 
     impl Pdo for RxPdo1600 {
         const INDEX: u16 = 0x1600;
+
         const MAPPING: &'static [Mapping] = &[Mapping { address: Address::new(0x6040, 0), bits: 16 }];
     }
 
@@ -2226,15 +2222,17 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1701 : S300, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1701: S300, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1701View of RxPdo1701, 6;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
         const INDEX: u16 = 0x1701;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -2273,15 +2271,17 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1702 : S300, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1702: S300, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1702View of RxPdo1702, 6;
+        velocity_setpoint, set_velocity_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
         const INDEX: u16 = 0x1702;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -2320,15 +2320,17 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1703 : S300, Rx, 4);
+    ::devc_runtime::process_data!(RxPdo1703: S300, Rx, 4);
 
     ::devc_runtime::view! {
-        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
-        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
+        pub RxPdo1703View of RxPdo1703, 4;
+        current_setpoint, set_current_setpoint: i16 => 0, 16;
+        controlword, set_controlword: Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
         const INDEX: u16 = 0x1703;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6071, 0), bits: 16 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -2379,18 +2381,20 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1704 : S300, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1704: S300, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
-        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16;
+        pub RxPdo1704View of RxPdo1704, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        opmode_request, set_opmode_request: u16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1704 {
         const INDEX: u16 = 0x1704;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -2444,18 +2448,20 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1705 : S300, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1705: S300, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16;
+        pub RxPdo1705View of RxPdo1705, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
         const INDEX: u16 = 0x1705;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -2505,17 +2511,19 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1706 : S300, Rx, 12);
+    ::devc_runtime::process_data!(RxPdo1706: S300, Rx, 12);
 
     ::devc_runtime::view! {
-        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 80, 16;
+        pub RxPdo1706View of RxPdo1706, 12;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        controlword, set_controlword: Controlword => 64, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
         const INDEX: u16 = 0x1706;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -2574,18 +2582,21 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1707 : S300, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1707: S300, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
+        pub RxPdo1707View of RxPdo1707, 16;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
         const INDEX: u16 = 0x1707;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -2650,19 +2661,22 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1708 : S300, Rx, 18);
+    ::devc_runtime::process_data!(RxPdo1708: S300, Rx, 18);
 
     ::devc_runtime::view! {
-        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
-        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 128, 16;
+        pub RxPdo1708View of RxPdo1708, 18;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        opmode_request, set_opmode_request: u16 => 96, 16;
+        controlword, set_controlword: Controlword => 112, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
         const INDEX: u16 = 0x1708;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -2710,16 +2724,18 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo170A : S300, Rx, 8);
+    ::devc_runtime::process_data!(RxPdo170A: S300, Rx, 8);
 
     ::devc_runtime::view! {
-        pub RxPdo170AView of RxPdo170A, 8; position_setpoint, set_position_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16; digital_outputs,
-        set_digital_outputs : DigitalOutputs => 48, 16;
+        pub RxPdo170AView of RxPdo170A, 8;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
+        digital_outputs, set_digital_outputs: DigitalOutputs => 48, 16;
     }
 
     impl Pdo for RxPdo170A {
         const INDEX: u16 = 0x170A;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -2761,8 +2777,7 @@ pub mod s300 {
             let [b8, b9, b10, b11] = self.motion_task_control_word.to_le_bytes();
             let [b12, b13, b14, b15] = self.motion_task_acceleration.to_le_bytes();
             let [b16, b17, b18, b19] = self.motion_task_deceleration.to_le_bytes();
-            let [f5_b20, f5_b21] = (self.motion_task_profile_number as u16)
-                .to_le_bytes();
+            let [f5_b20, f5_b21] = (self.motion_task_profile_number as u16).to_le_bytes();
             let [b22, b23] = self.controlword.0.to_le_bytes();
             let [b24, b25] = self.latch_controlword.0.to_le_bytes();
             [
@@ -2774,8 +2789,10 @@ pub mod s300 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25]: [u8; 26],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25,
+            ]: [u8; 26],
         ) -> Self {
             Self {
                 motion_task_target_position: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -2790,22 +2807,23 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1710 : S300, Rx, 26);
+    ::devc_runtime::process_data!(RxPdo1710: S300, Rx, 26);
 
     ::devc_runtime::view! {
-        pub RxPdo1710View of RxPdo1710, 26; motion_task_target_position,
-        set_motion_task_target_position : i32 => 0, 32; motion_task_target_velocity,
-        set_motion_task_target_velocity : i32 => 32, 32; motion_task_control_word,
-        set_motion_task_control_word : i32 => 64, 32; motion_task_acceleration,
-        set_motion_task_acceleration : i32 => 96, 32; motion_task_deceleration,
-        set_motion_task_deceleration : i32 => 128, 32; motion_task_profile_number,
-        set_motion_task_profile_number : i32 => 160, 16; controlword, set_controlword :
-        Controlword => 176, 16; latch_controlword, set_latch_controlword :
-        LatchControlword => 192, 16;
+        pub RxPdo1710View of RxPdo1710, 26;
+        motion_task_target_position, set_motion_task_target_position: i32 => 0, 32;
+        motion_task_target_velocity, set_motion_task_target_velocity: i32 => 32, 32;
+        motion_task_control_word, set_motion_task_control_word: i32 => 64, 32;
+        motion_task_acceleration, set_motion_task_acceleration: i32 => 96, 32;
+        motion_task_deceleration, set_motion_task_deceleration: i32 => 128, 32;
+        motion_task_profile_number, set_motion_task_profile_number: i32 => 160, 16;
+        controlword, set_controlword: Controlword => 176, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 192, 16;
     }
 
     impl Pdo for RxPdo1710 {
         const INDEX: u16 = 0x1710;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x607A, 0), bits: 32 },
             Mapping { address: Address::new(0x6081, 0), bits: 32 },
@@ -2868,19 +2886,21 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1711 : S300, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1711: S300, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1711View of RxPdo1711, 16; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
-        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16; latch_controlword, set_latch_controlword :
-        LatchControlword => 112, 16;
+        pub RxPdo1711View of RxPdo1711, 16;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        additive_velocity_setpoint, set_additive_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1711 {
         const INDEX: u16 = 0x1711;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x2308, 0), bits: 32 },
@@ -2941,19 +2961,21 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1712 : S300, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1712: S300, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1712View of RxPdo1712, 16; velocity_setpoint, set_velocity_setpoint :
-        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
-        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16; latch_controlword, set_latch_controlword :
-        LatchControlword => 112, 16;
+        pub RxPdo1712View of RxPdo1712, 16;
+        velocity_setpoint, set_velocity_setpoint: i32 => 0, 32;
+        additive_velocity_setpoint, set_additive_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1712 {
         const INDEX: u16 = 0x1712;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
             Mapping { address: Address::new(0x2308, 0), bits: 32 },
@@ -3001,7 +3023,9 @@ pub mod s300 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]: [u8; 20],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+            ]: [u8; 20],
         ) -> Self {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
@@ -3014,19 +3038,21 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1714 : S300, Rx, 20);
+    ::devc_runtime::process_data!(RxPdo1714: S300, Rx, 20);
 
     ::devc_runtime::view! {
-        pub RxPdo1714View of RxPdo1714, 20; controlword, set_controlword : Controlword =>
-        0, 16; dprvar_2_low, set_dprvar_2_low : i16 => 16, 16; dprvar_set_dprvar3,
-        set_dprvar_set_dprvar3 : i32 => 32, 32; dprvar_set_dprvar4,
-        set_dprvar_set_dprvar4 : i32 => 64, 32; dprvar_set_dprvar5,
-        set_dprvar_set_dprvar5 : i32 => 96, 32; dprvar_set_dprvar6,
-        set_dprvar_set_dprvar6 : i32 => 128, 32;
+        pub RxPdo1714View of RxPdo1714, 20;
+        controlword, set_controlword: Controlword => 0, 16;
+        dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
+        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
+        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
+        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
+        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
         const INDEX: u16 = 0x1714;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
             Mapping { address: Address::new(0x2306, 0), bits: 16 },
@@ -3063,15 +3089,16 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1A00 : S300, Tx, 2);
+    ::devc_runtime::process_data!(TxPdo1A00: S300, Tx, 2);
 
     ::devc_runtime::view! {
-        pub TxPdo1A00View of TxPdo1A00, 2; statusword, set_statusword : Statusword => 0,
-        16;
+        pub TxPdo1A00View of TxPdo1A00, 2;
+        statusword, set_statusword: Statusword => 0, 16;
     }
 
     impl Pdo for TxPdo1A00 {
         const INDEX: u16 = 0x1A00;
+
         const MAPPING: &'static [Mapping] = &[Mapping { address: Address::new(0x6041, 0), bits: 16 }];
     }
 
@@ -3107,16 +3134,17 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B01 : S300, Tx, 6);
+    ::devc_runtime::process_data!(TxPdo1B01: S300, Tx, 6);
 
     ::devc_runtime::view! {
-        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16;
+        pub TxPdo1B01View of TxPdo1B01, 6;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
         const INDEX: u16 = 0x1B01;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -3157,17 +3185,18 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B03 : S300, Tx, 8);
+    ::devc_runtime::process_data!(TxPdo1B03: S300, Tx, 8);
 
     ::devc_runtime::view! {
-        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
-        => 48, 16;
+        pub TxPdo1B03View of TxPdo1B03, 8;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        statusword, set_statusword: Statusword => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
         const INDEX: u16 = 0x1B03;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -3213,17 +3242,19 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B04 : S300, Tx, 10);
+    ::devc_runtime::process_data!(TxPdo1B04: S300, Tx, 10);
 
     ::devc_runtime::view! {
-        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
-        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
+        pub TxPdo1B04View of TxPdo1B04, 10;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        opmode_message, set_opmode_message: i16 => 48, 16;
+        statusword, set_statusword: Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
         const INDEX: u16 = 0x1B04;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -3270,18 +3301,19 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B05 : S300, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B05: S300, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
-        Statusword => 80, 16;
+        pub TxPdo1B05View of TxPdo1B05, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        statusword, set_statusword: Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
         const INDEX: u16 = 0x1B05;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -3328,17 +3360,19 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B06 : S300, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B06: S300, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
-        48, 16; latch_position, set_latch_position : i32 => 64, 32;
+        pub TxPdo1B06View of TxPdo1B06, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 48, 16;
+        latch_position, set_latch_position: i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
         const INDEX: u16 = 0x1B06;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -3380,16 +3414,18 @@ pub mod s300 {
             let [b16, b17] = self.latch_statusword.0.to_le_bytes();
             let [b18, b19, b20, b21] = self.latch_position.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21]: [u8; 22],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
+            ]: [u8; 22],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -3403,20 +3439,22 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B07 : S300, Tx, 22);
+    ::devc_runtime::process_data!(TxPdo1B07: S300, Tx, 22);
 
     ::devc_runtime::view! {
-        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
-        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
-        set_current_actual_value : i16 => 64, 16; internal_following_error,
-        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
-        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
-        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
+        pub TxPdo1B07View of TxPdo1B07, 22;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        position_actual_value_2, set_position_actual_value_2: i32 => 32, 32;
+        current_actual_value, set_current_actual_value: i16 => 64, 16;
+        internal_following_error, set_internal_following_error: i32 => 80, 32;
+        statusword, set_statusword: Statusword => 112, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 128, 16;
+        latch_position, set_latch_position: i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
         const INDEX: u16 = 0x1B07;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2050, 0), bits: 32 },
@@ -3466,7 +3504,9 @@ pub mod s300 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]: [u8; 20],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+            ]: [u8; 20],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -3480,20 +3520,22 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B08 : S300, Tx, 20);
+    ::devc_runtime::process_data!(TxPdo1B08: S300, Tx, 20);
 
     ::devc_runtime::view! {
-        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
-        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
-        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
-        latch_position, set_latch_position : i32 => 128, 32;
+        pub TxPdo1B08View of TxPdo1B08, 20;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        opmode_message, set_opmode_message: i16 => 80, 16;
+        statusword, set_statusword: Statusword => 96, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 112, 16;
+        latch_position, set_latch_position: i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
         const INDEX: u16 = 0x1B08;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -3543,17 +3585,19 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B0A : S300, Tx, 10);
+    ::devc_runtime::process_data!(TxPdo1B0A: S300, Tx, 10);
 
     ::devc_runtime::view! {
-        pub TxPdo1B0AView of TxPdo1B0A, 10; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; opmode_message, set_opmode_message :
-        i16 => 32, 16; statusword, set_statusword : Statusword => 48, 16; digital_io,
-        set_digital_io : DigitalIo => 64, 16;
+        pub TxPdo1B0AView of TxPdo1B0A, 10;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        opmode_message, set_opmode_message: i16 => 32, 16;
+        statusword, set_statusword: Statusword => 48, 16;
+        digital_io, set_digital_io: DigitalIo => 64, 16;
     }
 
     impl Pdo for TxPdo1B0A {
         const INDEX: u16 = 0x1B0A;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2353, 0), bits: 16 },
@@ -3606,24 +3650,26 @@ pub mod s300 {
             let [b14, b15] = self.statusword.0.to_le_bytes();
             let [b16, b17, b18, b19] = self.drive_errors.to_le_bytes();
             let [b20, b21, b22, b23] = self.drive_warnings.to_le_bytes();
-            let [f7_b24, f7_b25, f7_b26, f7_b27] = (self.digital_io.0 as u32)
-                .to_le_bytes();
+            let [f7_b24, f7_b25, f7_b26, f7_b27] = (self.digital_io.0 as u32).to_le_bytes();
             let [b28, b29] = self.analog_inputs_analog_input_1.to_le_bytes();
             let [b30, b31] = self.analog_inputs_analog_input_2.to_le_bytes();
             let [b32, b33, b34, b35] = self.internal_following_error.to_le_bytes();
             let [b36, b37, b38, b39] = self.motion_task_status.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, f7_b24, f7_b25, f7_b26, f7_b27, b28, b29, b30, b31, b32, b33, b34, b35, b36,
-                b37, b38, b39,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, f7_b24, f7_b25, f7_b26, f7_b27, b28, b29, b30, b31, b32, b33, b34, b35,
+                b36, b37, b38, b39,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39]: [u8; 40],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39,
+            ]: [u8; 40],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -3642,24 +3688,27 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B0B : S300, Tx, 40);
+    ::devc_runtime::process_data!(TxPdo1B0B: S300, Tx, 40);
 
     ::devc_runtime::view! {
-        pub TxPdo1B0BView of TxPdo1B0B, 40; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
-        set_position_actual_value_2 : i32 => 32, 32; velocity_actual_value,
-        set_velocity_actual_value : i32 => 64, 32; current_actual_value,
-        set_current_actual_value : i16 => 96, 16; statusword, set_statusword : Statusword
-        => 112, 16; drive_errors, set_drive_errors : i32 => 128, 32; drive_warnings,
-        set_drive_warnings : i32 => 160, 32; digital_io, set_digital_io : DigitalIo =>
-        192, 32; analog_inputs_analog_input_1, set_analog_inputs_analog_input_1 : i16 =>
-        224, 16; analog_inputs_analog_input_2, set_analog_inputs_analog_input_2 : i16 =>
-        240, 16; internal_following_error, set_internal_following_error : i32 => 256, 32;
-        motion_task_status, set_motion_task_status : i32 => 288, 32;
+        pub TxPdo1B0BView of TxPdo1B0B, 40;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        position_actual_value_2, set_position_actual_value_2: i32 => 32, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 64, 32;
+        current_actual_value, set_current_actual_value: i16 => 96, 16;
+        statusword, set_statusword: Statusword => 112, 16;
+        drive_errors, set_drive_errors: i32 => 128, 32;
+        drive_warnings, set_drive_warnings: i32 => 160, 32;
+        digital_io, set_digital_io: DigitalIo => 192, 32;
+        analog_inputs_analog_input_1, set_analog_inputs_analog_input_1: i16 => 224, 16;
+        analog_inputs_analog_input_2, set_analog_inputs_analog_input_2: i16 => 240, 16;
+        internal_following_error, set_internal_following_error: i32 => 256, 32;
+        motion_task_status, set_motion_task_status: i32 => 288, 32;
     }
 
     impl Pdo for TxPdo1B0B {
         const INDEX: u16 = 0x1B0B;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2050, 0), bits: 32 },
@@ -3717,16 +3766,18 @@ pub mod s300 {
             let [b22, b23] = self.dprvar_actual_low_dprvar13_lower_16_bits.to_le_bytes();
             let [b24, b25, b26, b27] = self.dprvar_actual_dprvar14.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27]: [u8; 28],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27,
+            ]: [u8; 28],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -3742,25 +3793,24 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B0C : S300, Tx, 28);
+    ::devc_runtime::process_data!(TxPdo1B0C: S300, Tx, 28);
 
     ::devc_runtime::view! {
-        pub TxPdo1B0CView of TxPdo1B0C, 28; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; velocity_actual_value,
-        set_velocity_actual_value : i32 => 32, 32; statusword, set_statusword :
-        Statusword => 64, 16; dprvar_actual_low_dprvar9_lower_16_bits,
-        set_dprvar_actual_low_dprvar9_lower_16_bits : i16 => 80, 16;
-        dprvar_actual_dprvar10, set_dprvar_actual_dprvar10 : i32 => 96, 32;
-        dprvar_actual_dprvar11, set_dprvar_actual_dprvar11 : i32 => 128, 32;
-        dprvar_actual_low_dprvar12_lower_16_bits,
-        set_dprvar_actual_low_dprvar12_lower_16_bits : i16 => 160, 16;
-        dprvar_actual_low_dprvar13_lower_16_bits,
-        set_dprvar_actual_low_dprvar13_lower_16_bits : i16 => 176, 16;
-        dprvar_actual_dprvar14, set_dprvar_actual_dprvar14 : i32 => 192, 32;
+        pub TxPdo1B0CView of TxPdo1B0C, 28;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 32, 32;
+        statusword, set_statusword: Statusword => 64, 16;
+        dprvar_actual_low_dprvar9_lower_16_bits, set_dprvar_actual_low_dprvar9_lower_16_bits: i16 => 80, 16;
+        dprvar_actual_dprvar10, set_dprvar_actual_dprvar10: i32 => 96, 32;
+        dprvar_actual_dprvar11, set_dprvar_actual_dprvar11: i32 => 128, 32;
+        dprvar_actual_low_dprvar12_lower_16_bits, set_dprvar_actual_low_dprvar12_lower_16_bits: i16 => 160, 16;
+        dprvar_actual_low_dprvar13_lower_16_bits, set_dprvar_actual_low_dprvar13_lower_16_bits: i16 => 176, 16;
+        dprvar_actual_dprvar14, set_dprvar_actual_dprvar14: i32 => 192, 32;
     }
 
     impl Pdo for TxPdo1B0C {
         const INDEX: u16 = 0x1B0C;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x606C, 0), bits: 32 },
@@ -3798,11 +3848,11 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : S300, Rx, 6);
+    ::devc_runtime::process_data!(Outputs: S300, Rx, 6);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1702, rx_pdo_1702_mut : RxPdo1702
-        => 0;
+        pub OutputsView of PDOs in Outputs, 6;
+        rx_pdo_1702, rx_pdo_1702_mut: RxPdo1702 => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -3829,32 +3879,31 @@ pub mod s300 {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : S300, Tx, 6);
+    ::devc_runtime::process_data!(Inputs: S300, Tx, 6);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
-        0;
+        pub InputsView of PDOs in Inputs, 6;
+        tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
-            (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -4135,12 +4184,8 @@ pub mod s300 {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 3.4.2, 3.4.3, 3.8.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0800,
-        reached: 0x0400,
-        attained: 0x0200,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -4169,20 +4214,14 @@ pub mod s300 {
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Unit<S300, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            256,
-        >();
+        pub const VELOCITY: Unit<S300, AngularVelocity> = Unit::of::<10_986_328_125, 256>();
 
         /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Unit<S300, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            32_768,
-        >();
+        pub const VELOCITY_FEED_FORWARD: Unit<S300, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
         ///
@@ -4210,7 +4249,7 @@ pub mod s300 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -4670,242 +4709,36 @@ pub mod s300 {
             pub interpolation_time_index: i8,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
-                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
-                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
-                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    7 => self.identity_object.slot(place.item),
-                    8 => self.rx_pdo_1600.slot(place.item),
-                    9 => self.tx_pdo_1a00.slot(place.item),
-                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
-                    12 => self.sm_output_parameter.slot(place.item),
-                    13 => self.sm_input_parameter.slot(place.item),
-                    14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
-                    15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
-                    16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
-                    18 => {
-                        self.endat_2_2_additional_information_1
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    19 => {
-                        self.endat_2_2_additional_information_2
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    20 => Some(sdo::Slot::I16(&mut self.current_limit)),
-                    21 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
-                    22 => Some(sdo::Slot::I32(&mut self.latch_position)),
-                    23 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
-                    24 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
-                    25 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
-                    26 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
-                    27 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
-                    28 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
-                    29 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
-                    30 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
-                    31 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
-                    32 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
-                    33 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
-                    34 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
-                    35 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
-                    36 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
-                    37 => Some(sdo::Slot::U16(&mut self.opmode_request)),
-                    38 => Some(sdo::Slot::I16(&mut self.opmode_message)),
-                    39 => Some(sdo::Slot::I32(&mut self.ascii_data)),
-                    40 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
-                    41 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
-                    42 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
-                    43 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
-                    44 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    45 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    46 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    47 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    48 => Some(sdo::Slot::I32(&mut self.position_demand)),
-                    49 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
-                    50 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
-                    51 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    52 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
-                    53 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    54 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
-                    55 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
-                    56 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
-                    57 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
-                    58 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
-                    59 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
-                    60 => self.interpolation_time_period.slot(place.item),
-                    61 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
-                    62 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
-                    63 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
-                    64 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
-                    65 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl RxPdo1600 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl TxPdo1a00 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_16 },
-                Page { axis: 0, ..PAGE_17 },
-                Page { axis: 0, ..PAGE_1A },
-                Page { axis: 0, ..PAGE_1B },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_23 },
-                Page { axis: 0, ..PAGE_35 },
-                Page { axis: 0, ..PAGE_36 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 12, ..PAGE_16 },
+                Page { ordinal: 14, ..PAGE_17 },
+                Page { ordinal: 89, ..PAGE_16 },
+                Page { ordinal: 91, ..PAGE_1B },
+                Page { ordinal: 157, ..PAGE_1C },
+                Page { ordinal: 194, ..PAGE_20 },
+                Page { ordinal: 273, ..PAGE_23 },
+                Page { ordinal: 294, ..PAGE_35 },
+                Page { ordinal: 295, ..PAGE_36 },
+                Page { ordinal: 298, ..PAGE_60 },
+                Page { ordinal: 321, ..PAGE_65 },
             ],
         };
 
-        const DIRECTORY: [u8; 256] = positions(
-            0,
-            &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65],
-        );
+        const DIRECTORY: [u8; 256] =
+            positions(0, &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -4919,616 +4752,303 @@ pub mod s300 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    7,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_16,
-            objects: &[
-                object(
-                    ObjectCode::Record,
-                    0,
-                    8,
-                    &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                    &[],
-                ),
-            ],
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                &[entry(0, DataType::UNSIGNED8, 8, RW), entry(1, DataType::UNSIGNED32, 32, RW)],
+            )],
+            ordinal: 0,
         };
 
-        const SLOTS_17: [u8; 20] = positions(
-            0x01,
-            &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x10, 0x11, 0x12, 0x14],
-        );
+        const SLOTS_17: [u8; 20] =
+            positions(0x01, &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x10, 0x11, 0x12, 0x14]);
 
         const PAGE_17: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10,
-                        0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x03, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00,
-                        0x03, 0x23, 0x20, 0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10,
-                        0x00, 0x86, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03,
-                        0x90, 0x20, 0x20, 0x04, 0x90, 0x20, 0x20, 0x05, 0x90, 0x20, 0x20,
-                        0x06, 0x90, 0x20,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 41, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 45, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 54, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 61, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 68, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
-
-        const PAGE_1A: Page = Page {
-            first: 0x00,
-            axis: 0,
-            slots: &SLOTS_1A,
-            objects: &[
-                object(
-                    ObjectCode::Record,
-                    0,
-                    9,
-                    &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                    &[],
-                ),
-            ],
-        };
-
-        const SLOTS_1B: [u8; 12] = positions(
-            0x01,
-            &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x0B, 0x0C],
-        );
+        const SLOTS_1B: [u8; 12] =
+            positions(0x01, &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x0B, 0x0C]);
 
         const PAGE_1B: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                constant(
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 38, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(
                     ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    43,
+                    &const { EntryInfo::list::<13>(DataType::UNSIGNED32, 32, RO) },
                 ),
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00,
-                        0x53, 0x23, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00,
-                        0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00,
-                        0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00,
-                        0x41, 0x60, 0x10, 0x00, 0xFD, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<13>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0C, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x20, 0x00,
-                        0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20,
-                        0x00, 0x03, 0x10, 0x20, 0x00, 0x00, 0x20, 0x20, 0x00, 0xFD, 0x60,
-                        0x10, 0x01, 0xB2, 0x20, 0x10, 0x02, 0xB2, 0x20, 0x20, 0x00, 0xF4,
-                        0x60, 0x20, 0x00, 0x02, 0x10,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<10>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x09, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00,
-                        0x41, 0x60, 0x10, 0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20, 0x20,
-                        0x03, 0x30, 0x20, 0x10, 0x04, 0x50, 0x23, 0x10, 0x05, 0x50, 0x23,
-                        0x20, 0x06, 0x30, 0x20,
-                    ],
+                    56,
+                    &const { EntryInfo::list::<10>(DataType::UNSIGNED32, 32, RO) },
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
+                object(
                     ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                    5,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    ],
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    10,
+                    7,
                     &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    11,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
-                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    12,
+                    9,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    13,
+                    23,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_20: [u8; 179] = positions(
-            0x00,
-            &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2],
-        );
+        const SLOTS_20: [u8; 179] =
+            positions(0x00, &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2]);
 
         const PAGE_20: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    15,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[8],
+                    1,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    17,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    11,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    18,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    28,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    45,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    21,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX))
-                    },
-                    &[8],
+                    63,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
                 ),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    24,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    26,
-                    &const {
-                        EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[2],
+                    76,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_23: [u8; 86] = positions(
-            0x00,
-            &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55],
-        );
+        const SLOTS_23: [u8; 86] =
+            positions(0x00, &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55]);
 
         const PAGE_23: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    35,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[8],
+                    8,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    39,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
-            axis: 0,
             slots: &SLOTS_35,
-            objects: &[
-                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
-            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
             0x40,
             &[
-                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81,
-                0x83, 0x84, 0x86, 0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
+                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81, 0x83, 0x84, 0x86,
+                0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x40,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Record,
-                    0,
-                    60,
+                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
                 ),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 65, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }
@@ -5558,15 +5078,15 @@ pub mod s400 {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The S400.
     ///
@@ -6062,11 +5582,8 @@ pub mod s400 {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S400,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S400, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -6145,11 +5662,8 @@ pub mod s400 {
             /// `0x1C33:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the inputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S400,
-                SmInputParameterSynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C33, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S400, SmInputParameterSynchronizationType, ReadWrite> =
+                Entry::new(0x1C33, 1);
 
             /// `0x1C33:02` Cycle time. UINT32, rw.
             ///
@@ -7451,15 +6965,17 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1701 : S400, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1701: S400, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1701View of RxPdo1701, 6;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
         const INDEX: u16 = 0x1701;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -7498,15 +7014,17 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1702 : S400, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1702: S400, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1702View of RxPdo1702, 6;
+        velocity_setpoint, set_velocity_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
         const INDEX: u16 = 0x1702;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -7545,15 +7063,17 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1703 : S400, Rx, 4);
+    ::devc_runtime::process_data!(RxPdo1703: S400, Rx, 4);
 
     ::devc_runtime::view! {
-        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
-        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
+        pub RxPdo1703View of RxPdo1703, 4;
+        current_setpoint, set_current_setpoint: i16 => 0, 16;
+        controlword, set_controlword: Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
         const INDEX: u16 = 0x1703;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6071, 0), bits: 16 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -7604,18 +7124,20 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1704 : S400, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1704: S400, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
-        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16;
+        pub RxPdo1704View of RxPdo1704, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        opmode_request, set_opmode_request: u16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1704 {
         const INDEX: u16 = 0x1704;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -7669,18 +7191,20 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1705 : S400, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1705: S400, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16;
+        pub RxPdo1705View of RxPdo1705, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
         const INDEX: u16 = 0x1705;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -7730,17 +7254,19 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1706 : S400, Rx, 12);
+    ::devc_runtime::process_data!(RxPdo1706: S400, Rx, 12);
 
     ::devc_runtime::view! {
-        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 80, 16;
+        pub RxPdo1706View of RxPdo1706, 12;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        controlword, set_controlword: Controlword => 64, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
         const INDEX: u16 = 0x1706;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -7799,18 +7325,21 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1707 : S400, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1707: S400, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
+        pub RxPdo1707View of RxPdo1707, 16;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
         const INDEX: u16 = 0x1707;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -7875,19 +7404,22 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1708 : S400, Rx, 18);
+    ::devc_runtime::process_data!(RxPdo1708: S400, Rx, 18);
 
     ::devc_runtime::view! {
-        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
-        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 128, 16;
+        pub RxPdo1708View of RxPdo1708, 18;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        opmode_request, set_opmode_request: u16 => 96, 16;
+        controlword, set_controlword: Controlword => 112, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
         const INDEX: u16 = 0x1708;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -7931,16 +7463,17 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B01 : S400, Tx, 6);
+    ::devc_runtime::process_data!(TxPdo1B01: S400, Tx, 6);
 
     ::devc_runtime::view! {
-        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16;
+        pub TxPdo1B01View of TxPdo1B01, 6;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
         const INDEX: u16 = 0x1B01;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -7981,17 +7514,18 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B03 : S400, Tx, 8);
+    ::devc_runtime::process_data!(TxPdo1B03: S400, Tx, 8);
 
     ::devc_runtime::view! {
-        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
-        => 48, 16;
+        pub TxPdo1B03View of TxPdo1B03, 8;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        statusword, set_statusword: Statusword => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
         const INDEX: u16 = 0x1B03;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -8037,17 +7571,19 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B04 : S400, Tx, 10);
+    ::devc_runtime::process_data!(TxPdo1B04: S400, Tx, 10);
 
     ::devc_runtime::view! {
-        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
-        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
+        pub TxPdo1B04View of TxPdo1B04, 10;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        opmode_message, set_opmode_message: i16 => 48, 16;
+        statusword, set_statusword: Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
         const INDEX: u16 = 0x1B04;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -8094,18 +7630,19 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B05 : S400, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B05: S400, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
-        Statusword => 80, 16;
+        pub TxPdo1B05View of TxPdo1B05, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        statusword, set_statusword: Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
         const INDEX: u16 = 0x1B05;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -8152,17 +7689,19 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B06 : S400, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B06: S400, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
-        48, 16; latch_position, set_latch_position : i32 => 64, 32;
+        pub TxPdo1B06View of TxPdo1B06, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 48, 16;
+        latch_position, set_latch_position: i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
         const INDEX: u16 = 0x1B06;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -8204,16 +7743,18 @@ pub mod s400 {
             let [b16, b17] = self.latch_statusword.0.to_le_bytes();
             let [b18, b19, b20, b21] = self.latch_position.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21]: [u8; 22],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
+            ]: [u8; 22],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -8227,20 +7768,22 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B07 : S400, Tx, 22);
+    ::devc_runtime::process_data!(TxPdo1B07: S400, Tx, 22);
 
     ::devc_runtime::view! {
-        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
-        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
-        set_current_actual_value : i16 => 64, 16; internal_following_error,
-        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
-        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
-        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
+        pub TxPdo1B07View of TxPdo1B07, 22;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        position_actual_value_2, set_position_actual_value_2: i32 => 32, 32;
+        current_actual_value, set_current_actual_value: i16 => 64, 16;
+        internal_following_error, set_internal_following_error: i32 => 80, 32;
+        statusword, set_statusword: Statusword => 112, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 128, 16;
+        latch_position, set_latch_position: i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
         const INDEX: u16 = 0x1B07;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2050, 0), bits: 32 },
@@ -8290,7 +7833,9 @@ pub mod s400 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]: [u8; 20],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+            ]: [u8; 20],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -8304,20 +7849,22 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B08 : S400, Tx, 20);
+    ::devc_runtime::process_data!(TxPdo1B08: S400, Tx, 20);
 
     ::devc_runtime::view! {
-        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
-        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
-        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
-        latch_position, set_latch_position : i32 => 128, 32;
+        pub TxPdo1B08View of TxPdo1B08, 20;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        opmode_message, set_opmode_message: i16 => 80, 16;
+        statusword, set_statusword: Statusword => 96, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 112, 16;
+        latch_position, set_latch_position: i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
         const INDEX: u16 = 0x1B08;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -8353,11 +7900,11 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : S400, Rx, 6);
+    ::devc_runtime::process_data!(Outputs: S400, Rx, 6);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1701, rx_pdo_1701_mut : RxPdo1701
-        => 0;
+        pub OutputsView of PDOs in Outputs, 6;
+        rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -8384,32 +7931,31 @@ pub mod s400 {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : S400, Tx, 6);
+    ::devc_runtime::process_data!(Inputs: S400, Tx, 6);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
-        0;
+        pub InputsView of PDOs in Inputs, 6;
+        tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
-            (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -8690,12 +8236,8 @@ pub mod s400 {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 3.4.2, 3.4.3, 3.8.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0800,
-        reached: 0x0400,
-        attained: 0x0200,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -8724,20 +8266,14 @@ pub mod s400 {
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Unit<S400, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            256,
-        >();
+        pub const VELOCITY: Unit<S400, AngularVelocity> = Unit::of::<10_986_328_125, 256>();
 
         /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Unit<S400, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            32_768,
-        >();
+        pub const VELOCITY_FEED_FORWARD: Unit<S400, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
         ///
@@ -8765,7 +8301,7 @@ pub mod s400 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9201,218 +8737,34 @@ pub mod s400 {
             pub interpolation_time_index: i8,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
-                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
-                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
-                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    7 => self.identity_object.slot(place.item),
-                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
-                    10 => self.sm_output_parameter.slot(place.item),
-                    11 => self.sm_input_parameter.slot(place.item),
-                    12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
-                    13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
-                    14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
-                    16 => {
-                        self.endat_2_2_additional_information_1
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    17 => {
-                        self.endat_2_2_additional_information_2
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    18 => Some(sdo::Slot::I16(&mut self.current_limit)),
-                    19 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
-                    20 => Some(sdo::Slot::I32(&mut self.latch_position)),
-                    21 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
-                    22 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
-                    23 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
-                    24 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
-                    25 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
-                    26 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
-                    27 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
-                    28 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
-                    29 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
-                    30 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
-                    31 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
-                    32 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
-                    33 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
-                    34 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
-                    35 => Some(sdo::Slot::U16(&mut self.opmode_request)),
-                    36 => Some(sdo::Slot::I16(&mut self.opmode_message)),
-                    37 => Some(sdo::Slot::I32(&mut self.ascii_data)),
-                    38 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
-                    39 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
-                    40 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
-                    41 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
-                    42 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    43 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    44 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    45 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    46 => Some(sdo::Slot::I32(&mut self.position_demand)),
-                    47 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
-                    48 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
-                    49 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    50 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
-                    51 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    52 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
-                    53 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
-                    54 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
-                    55 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
-                    56 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
-                    57 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
-                    58 => self.interpolation_time_period.slot(place.item),
-                    59 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
-                    60 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
-                    61 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
-                    62 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
-                    63 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_17 },
-                Page { axis: 0, ..PAGE_1B },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_23 },
-                Page { axis: 0, ..PAGE_35 },
-                Page { axis: 0, ..PAGE_36 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 12, ..PAGE_17 },
+                Page { ordinal: 53, ..PAGE_1B },
+                Page { ordinal: 91, ..PAGE_1C },
+                Page { ordinal: 128, ..PAGE_20 },
+                Page { ordinal: 207, ..PAGE_23 },
+                Page { ordinal: 228, ..PAGE_35 },
+                Page { ordinal: 229, ..PAGE_36 },
+                Page { ordinal: 232, ..PAGE_60 },
+                Page { ordinal: 255, ..PAGE_65 },
             ],
         };
 
-        const DIRECTORY: [u8; 256] = positions(
-            0,
-            &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65],
-        );
+        const DIRECTORY: [u8; 256] =
+            positions(0, &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -9426,490 +8778,272 @@ pub mod s400 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    7,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_17: [u8; 8] = positions(0x01, &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_17: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10,
-                        0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1B: [u8; 8] = positions(0x01, &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_1B: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00,
-                        0x53, 0x23, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00,
-                        0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00,
-                        0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
-                ),
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    0,
-                    8,
+                    5,
                     &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
+                    7,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
                     9,
                     &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    10,
+                    23,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    11,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_20: [u8; 179] = positions(
-            0x00,
-            &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2],
-        );
+        const SLOTS_20: [u8; 179] =
+            positions(0x00, &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2]);
 
         const PAGE_20: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    13,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[8],
+                    1,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    15,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    11,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    16,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    28,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    17,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    45,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX))
-                    },
-                    &[8],
+                    63,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    21,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    22,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    24,
-                    &const {
-                        EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[2],
+                    76,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_23: [u8; 86] = positions(
-            0x00,
-            &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55],
-        );
+        const SLOTS_23: [u8; 86] =
+            positions(0x00, &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55]);
 
         const PAGE_23: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    33,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[8],
+                    8,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
-            axis: 0,
             slots: &SLOTS_35,
-            objects: &[
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
-            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
             0x40,
             &[
-                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81,
-                0x83, 0x84, 0x86, 0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
+                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81, 0x83, 0x84, 0x86,
+                0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x40,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Record,
-                    0,
-                    58,
+                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }
@@ -9939,15 +9073,15 @@ pub mod s600 {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The S600.
     ///
@@ -10443,11 +9577,8 @@ pub mod s600 {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S600,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S600, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -10526,11 +9657,8 @@ pub mod s600 {
             /// `0x1C33:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the inputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S600,
-                SmInputParameterSynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C33, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S600, SmInputParameterSynchronizationType, ReadWrite> =
+                Entry::new(0x1C33, 1);
 
             /// `0x1C33:02` Cycle time. UINT32, rw.
             ///
@@ -11832,15 +10960,17 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1701 : S600, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1701: S600, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1701View of RxPdo1701, 6;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
         const INDEX: u16 = 0x1701;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -11879,15 +11009,17 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1702 : S600, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1702: S600, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1702View of RxPdo1702, 6;
+        velocity_setpoint, set_velocity_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
         const INDEX: u16 = 0x1702;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -11926,15 +11058,17 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1703 : S600, Rx, 4);
+    ::devc_runtime::process_data!(RxPdo1703: S600, Rx, 4);
 
     ::devc_runtime::view! {
-        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
-        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
+        pub RxPdo1703View of RxPdo1703, 4;
+        current_setpoint, set_current_setpoint: i16 => 0, 16;
+        controlword, set_controlword: Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
         const INDEX: u16 = 0x1703;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6071, 0), bits: 16 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -11985,18 +11119,20 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1704 : S600, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1704: S600, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
-        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16;
+        pub RxPdo1704View of RxPdo1704, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        opmode_request, set_opmode_request: u16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1704 {
         const INDEX: u16 = 0x1704;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -12050,18 +11186,20 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1705 : S600, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1705: S600, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16;
+        pub RxPdo1705View of RxPdo1705, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
         const INDEX: u16 = 0x1705;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -12111,17 +11249,19 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1706 : S600, Rx, 12);
+    ::devc_runtime::process_data!(RxPdo1706: S600, Rx, 12);
 
     ::devc_runtime::view! {
-        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 80, 16;
+        pub RxPdo1706View of RxPdo1706, 12;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        controlword, set_controlword: Controlword => 64, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
         const INDEX: u16 = 0x1706;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -12180,18 +11320,21 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1707 : S600, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1707: S600, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
+        pub RxPdo1707View of RxPdo1707, 16;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
         const INDEX: u16 = 0x1707;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -12256,19 +11399,22 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1708 : S600, Rx, 18);
+    ::devc_runtime::process_data!(RxPdo1708: S600, Rx, 18);
 
     ::devc_runtime::view! {
-        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
-        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 128, 16;
+        pub RxPdo1708View of RxPdo1708, 18;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        opmode_request, set_opmode_request: u16 => 96, 16;
+        controlword, set_controlword: Controlword => 112, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
         const INDEX: u16 = 0x1708;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -12312,16 +11458,17 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B01 : S600, Tx, 6);
+    ::devc_runtime::process_data!(TxPdo1B01: S600, Tx, 6);
 
     ::devc_runtime::view! {
-        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16;
+        pub TxPdo1B01View of TxPdo1B01, 6;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
         const INDEX: u16 = 0x1B01;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -12362,17 +11509,18 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B03 : S600, Tx, 8);
+    ::devc_runtime::process_data!(TxPdo1B03: S600, Tx, 8);
 
     ::devc_runtime::view! {
-        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
-        => 48, 16;
+        pub TxPdo1B03View of TxPdo1B03, 8;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        statusword, set_statusword: Statusword => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
         const INDEX: u16 = 0x1B03;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -12418,17 +11566,19 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B04 : S600, Tx, 10);
+    ::devc_runtime::process_data!(TxPdo1B04: S600, Tx, 10);
 
     ::devc_runtime::view! {
-        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
-        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
+        pub TxPdo1B04View of TxPdo1B04, 10;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        opmode_message, set_opmode_message: i16 => 48, 16;
+        statusword, set_statusword: Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
         const INDEX: u16 = 0x1B04;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -12475,18 +11625,19 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B05 : S600, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B05: S600, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
-        Statusword => 80, 16;
+        pub TxPdo1B05View of TxPdo1B05, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        statusword, set_statusword: Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
         const INDEX: u16 = 0x1B05;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -12533,17 +11684,19 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B06 : S600, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B06: S600, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
-        48, 16; latch_position, set_latch_position : i32 => 64, 32;
+        pub TxPdo1B06View of TxPdo1B06, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 48, 16;
+        latch_position, set_latch_position: i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
         const INDEX: u16 = 0x1B06;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -12585,16 +11738,18 @@ pub mod s600 {
             let [b16, b17] = self.latch_statusword.0.to_le_bytes();
             let [b18, b19, b20, b21] = self.latch_position.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21]: [u8; 22],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
+            ]: [u8; 22],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -12608,20 +11763,22 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B07 : S600, Tx, 22);
+    ::devc_runtime::process_data!(TxPdo1B07: S600, Tx, 22);
 
     ::devc_runtime::view! {
-        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
-        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
-        set_current_actual_value : i16 => 64, 16; internal_following_error,
-        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
-        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
-        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
+        pub TxPdo1B07View of TxPdo1B07, 22;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        position_actual_value_2, set_position_actual_value_2: i32 => 32, 32;
+        current_actual_value, set_current_actual_value: i16 => 64, 16;
+        internal_following_error, set_internal_following_error: i32 => 80, 32;
+        statusword, set_statusword: Statusword => 112, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 128, 16;
+        latch_position, set_latch_position: i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
         const INDEX: u16 = 0x1B07;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2050, 0), bits: 32 },
@@ -12671,7 +11828,9 @@ pub mod s600 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]: [u8; 20],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+            ]: [u8; 20],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -12685,20 +11844,22 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B08 : S600, Tx, 20);
+    ::devc_runtime::process_data!(TxPdo1B08: S600, Tx, 20);
 
     ::devc_runtime::view! {
-        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
-        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
-        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
-        latch_position, set_latch_position : i32 => 128, 32;
+        pub TxPdo1B08View of TxPdo1B08, 20;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        opmode_message, set_opmode_message: i16 => 80, 16;
+        statusword, set_statusword: Statusword => 96, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 112, 16;
+        latch_position, set_latch_position: i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
         const INDEX: u16 = 0x1B08;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -12734,11 +11895,11 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : S600, Rx, 6);
+    ::devc_runtime::process_data!(Outputs: S600, Rx, 6);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1701, rx_pdo_1701_mut : RxPdo1701
-        => 0;
+        pub OutputsView of PDOs in Outputs, 6;
+        rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -12765,32 +11926,31 @@ pub mod s600 {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : S600, Tx, 6);
+    ::devc_runtime::process_data!(Inputs: S600, Tx, 6);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
-        0;
+        pub InputsView of PDOs in Inputs, 6;
+        tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
-            (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -13071,12 +12231,8 @@ pub mod s600 {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 3.4.2, 3.4.3, 3.8.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0800,
-        reached: 0x0400,
-        attained: 0x0200,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -13105,20 +12261,14 @@ pub mod s600 {
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Unit<S600, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            256,
-        >();
+        pub const VELOCITY: Unit<S600, AngularVelocity> = Unit::of::<10_986_328_125, 256>();
 
         /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Unit<S600, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            32_768,
-        >();
+        pub const VELOCITY_FEED_FORWARD: Unit<S600, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
         ///
@@ -13146,7 +12296,7 @@ pub mod s600 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13582,218 +12732,34 @@ pub mod s600 {
             pub interpolation_time_index: i8,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
-                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
-                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
-                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    7 => self.identity_object.slot(place.item),
-                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
-                    10 => self.sm_output_parameter.slot(place.item),
-                    11 => self.sm_input_parameter.slot(place.item),
-                    12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
-                    13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
-                    14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
-                    16 => {
-                        self.endat_2_2_additional_information_1
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    17 => {
-                        self.endat_2_2_additional_information_2
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    18 => Some(sdo::Slot::I16(&mut self.current_limit)),
-                    19 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
-                    20 => Some(sdo::Slot::I32(&mut self.latch_position)),
-                    21 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
-                    22 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
-                    23 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
-                    24 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
-                    25 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
-                    26 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
-                    27 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
-                    28 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
-                    29 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
-                    30 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
-                    31 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
-                    32 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
-                    33 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
-                    34 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
-                    35 => Some(sdo::Slot::U16(&mut self.opmode_request)),
-                    36 => Some(sdo::Slot::I16(&mut self.opmode_message)),
-                    37 => Some(sdo::Slot::I32(&mut self.ascii_data)),
-                    38 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
-                    39 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
-                    40 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
-                    41 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
-                    42 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    43 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    44 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    45 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    46 => Some(sdo::Slot::I32(&mut self.position_demand)),
-                    47 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
-                    48 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
-                    49 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    50 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
-                    51 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    52 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
-                    53 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
-                    54 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
-                    55 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
-                    56 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
-                    57 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
-                    58 => self.interpolation_time_period.slot(place.item),
-                    59 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
-                    60 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
-                    61 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
-                    62 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
-                    63 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_17 },
-                Page { axis: 0, ..PAGE_1B },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_23 },
-                Page { axis: 0, ..PAGE_35 },
-                Page { axis: 0, ..PAGE_36 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 12, ..PAGE_17 },
+                Page { ordinal: 53, ..PAGE_1B },
+                Page { ordinal: 91, ..PAGE_1C },
+                Page { ordinal: 128, ..PAGE_20 },
+                Page { ordinal: 207, ..PAGE_23 },
+                Page { ordinal: 228, ..PAGE_35 },
+                Page { ordinal: 229, ..PAGE_36 },
+                Page { ordinal: 232, ..PAGE_60 },
+                Page { ordinal: 255, ..PAGE_65 },
             ],
         };
 
-        const DIRECTORY: [u8; 256] = positions(
-            0,
-            &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65],
-        );
+        const DIRECTORY: [u8; 256] =
+            positions(0, &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -13807,490 +12773,272 @@ pub mod s600 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    7,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_17: [u8; 8] = positions(0x01, &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_17: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10,
-                        0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1B: [u8; 8] = positions(0x01, &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_1B: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00,
-                        0x53, 0x23, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00,
-                        0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00,
-                        0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
-                    ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
-                ),
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    0,
-                    8,
+                    5,
                     &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
+                    7,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    ],
+                ),
+                object(
+                    ObjectCode::Record,
                     9,
                     &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    10,
+                    23,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    11,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_20: [u8; 179] = positions(
-            0x00,
-            &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2],
-        );
+        const SLOTS_20: [u8; 179] =
+            positions(0x00, &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2]);
 
         const PAGE_20: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    13,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[8],
+                    1,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    15,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    11,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    16,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    28,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    17,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    45,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX))
-                    },
-                    &[8],
+                    63,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    21,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    22,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    24,
-                    &const {
-                        EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[2],
+                    76,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_23: [u8; 86] = positions(
-            0x00,
-            &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55],
-        );
+        const SLOTS_23: [u8; 86] =
+            positions(0x00, &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55]);
 
         const PAGE_23: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    33,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[8],
+                    8,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
-            axis: 0,
             slots: &SLOTS_35,
-            objects: &[
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
-            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
             0x40,
             &[
-                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81,
-                0x83, 0x84, 0x86, 0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
+                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81, 0x83, 0x84, 0x86,
+                0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x40,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Record,
-                    0,
-                    58,
+                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }
@@ -14320,15 +13068,15 @@ pub mod s700 {
         clippy::unnecessary_cast,
         reason = "what of it is used is up to the device and to those who include the module"
     )]
-    use ::devc_runtime::{Device, error};
+
     use ::devc_runtime::cia402::{
-        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode,
-        ModeChange, Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition,
-        UnknownState,
+        Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
+        Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::{Device, error};
 
     /// The S700.
     ///
@@ -15092,11 +13840,8 @@ pub mod s700 {
             /// `0x1C32:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the outputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S700,
-                SynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C32, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S700, SynchronizationType, ReadWrite> =
+                Entry::new(0x1C32, 1);
 
             /// `0x1C32:02` Cycle time. UINT32, rw.
             ///
@@ -15175,11 +13920,8 @@ pub mod s700 {
             /// `0x1C33:01` Synchronization type. UINT16, rw.
             ///
             /// What starts the handling of the inputs.
-            pub const SYNCHRONIZATION_TYPE: Entry<
-                S700,
-                SmInputParameterSynchronizationType,
-                ReadWrite,
-            > = Entry::new(0x1C33, 1);
+            pub const SYNCHRONIZATION_TYPE: Entry<S700, SmInputParameterSynchronizationType, ReadWrite> =
+                Entry::new(0x1C33, 1);
 
             /// `0x1C33:02` Cycle time. UINT32, rw.
             ///
@@ -16485,15 +15227,16 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1600 : S700, Rx, 2);
+    ::devc_runtime::process_data!(RxPdo1600: S700, Rx, 2);
 
     ::devc_runtime::view! {
-        pub RxPdo1600View of RxPdo1600, 2; controlword, set_controlword : Controlword =>
-        0, 16;
+        pub RxPdo1600View of RxPdo1600, 2;
+        controlword, set_controlword: Controlword => 0, 16;
     }
 
     impl Pdo for RxPdo1600 {
         const INDEX: u16 = 0x1600;
+
         const MAPPING: &'static [Mapping] = &[Mapping { address: Address::new(0x6040, 0), bits: 16 }];
     }
 
@@ -16529,15 +15272,17 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1701 : S700, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1701: S700, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1701View of RxPdo1701, 6; position_setpoint, set_position_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1701View of RxPdo1701, 6;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1701 {
         const INDEX: u16 = 0x1701;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -16576,15 +15321,17 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1702 : S700, Rx, 6);
+    ::devc_runtime::process_data!(RxPdo1702: S700, Rx, 6);
 
     ::devc_runtime::view! {
-        pub RxPdo1702View of RxPdo1702, 6; velocity_setpoint, set_velocity_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16;
+        pub RxPdo1702View of RxPdo1702, 6;
+        velocity_setpoint, set_velocity_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
     }
 
     impl Pdo for RxPdo1702 {
         const INDEX: u16 = 0x1702;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -16623,15 +15370,17 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1703 : S700, Rx, 4);
+    ::devc_runtime::process_data!(RxPdo1703: S700, Rx, 4);
 
     ::devc_runtime::view! {
-        pub RxPdo1703View of RxPdo1703, 4; current_setpoint, set_current_setpoint : i16
-        => 0, 16; controlword, set_controlword : Controlword => 16, 16;
+        pub RxPdo1703View of RxPdo1703, 4;
+        current_setpoint, set_current_setpoint: i16 => 0, 16;
+        controlword, set_controlword: Controlword => 16, 16;
     }
 
     impl Pdo for RxPdo1703 {
         const INDEX: u16 = 0x1703;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6071, 0), bits: 16 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -16682,18 +15431,20 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1704 : S700, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1704: S700, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1704View of RxPdo1704, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; opmode_request,
-        set_opmode_request : u16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16;
+        pub RxPdo1704View of RxPdo1704, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        opmode_request, set_opmode_request: u16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1704 {
         const INDEX: u16 = 0x1704;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -16747,18 +15498,20 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1705 : S700, Rx, 14);
+    ::devc_runtime::process_data!(RxPdo1705: S700, Rx, 14);
 
     ::devc_runtime::view! {
-        pub RxPdo1705View of RxPdo1705, 14; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16;
+        pub RxPdo1705View of RxPdo1705, 14;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
     }
 
     impl Pdo for RxPdo1705 {
         const INDEX: u16 = 0x1705;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -16808,17 +15561,19 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1706 : S700, Rx, 12);
+    ::devc_runtime::process_data!(RxPdo1706: S700, Rx, 12);
 
     ::devc_runtime::view! {
-        pub RxPdo1706View of RxPdo1706, 12; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        controlword, set_controlword : Controlword => 64, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 80, 16;
+        pub RxPdo1706View of RxPdo1706, 12;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        controlword, set_controlword: Controlword => 64, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 80, 16;
     }
 
     impl Pdo for RxPdo1706 {
         const INDEX: u16 = 0x1706;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -16877,18 +15632,21 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1707 : S700, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1707: S700, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1707View of RxPdo1707, 16; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; controlword, set_controlword : Controlword =>
-        96, 16; latch_controlword, set_latch_controlword : LatchControlword => 112, 16;
+        pub RxPdo1707View of RxPdo1707, 16;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1707 {
         const INDEX: u16 = 0x1707;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -16953,19 +15711,22 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1708 : S700, Rx, 18);
+    ::devc_runtime::process_data!(RxPdo1708: S700, Rx, 18);
 
     ::devc_runtime::view! {
-        pub RxPdo1708View of RxPdo1708, 18; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; velocity_setpoint, set_velocity_setpoint : i32 => 32, 32;
-        current_setpoint, set_current_setpoint : i16 => 64, 16; current_limit,
-        set_current_limit : i16 => 80, 16; opmode_request, set_opmode_request : u16 =>
-        96, 16; controlword, set_controlword : Controlword => 112, 16; latch_controlword,
-        set_latch_controlword : LatchControlword => 128, 16;
+        pub RxPdo1708View of RxPdo1708, 18;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        velocity_setpoint, set_velocity_setpoint: i32 => 32, 32;
+        current_setpoint, set_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        opmode_request, set_opmode_request: u16 => 96, 16;
+        controlword, set_controlword: Controlword => 112, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 128, 16;
     }
 
     impl Pdo for RxPdo1708 {
         const INDEX: u16 = 0x1708;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
@@ -17013,16 +15774,18 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo170A : S700, Rx, 8);
+    ::devc_runtime::process_data!(RxPdo170A: S700, Rx, 8);
 
     ::devc_runtime::view! {
-        pub RxPdo170AView of RxPdo170A, 8; position_setpoint, set_position_setpoint : i32
-        => 0, 32; controlword, set_controlword : Controlword => 32, 16; digital_outputs,
-        set_digital_outputs : DigitalOutputs => 48, 16;
+        pub RxPdo170AView of RxPdo170A, 8;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        controlword, set_controlword: Controlword => 32, 16;
+        digital_outputs, set_digital_outputs: DigitalOutputs => 48, 16;
     }
 
     impl Pdo for RxPdo170A {
         const INDEX: u16 = 0x170A;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
@@ -17064,8 +15827,7 @@ pub mod s700 {
             let [b8, b9, b10, b11] = self.motion_task_control_word.to_le_bytes();
             let [b12, b13, b14, b15] = self.motion_task_acceleration.to_le_bytes();
             let [b16, b17, b18, b19] = self.motion_task_deceleration.to_le_bytes();
-            let [f5_b20, f5_b21] = (self.motion_task_profile_number as u16)
-                .to_le_bytes();
+            let [f5_b20, f5_b21] = (self.motion_task_profile_number as u16).to_le_bytes();
             let [b22, b23] = self.controlword.0.to_le_bytes();
             let [b24, b25] = self.latch_controlword.0.to_le_bytes();
             [
@@ -17077,8 +15839,10 @@ pub mod s700 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25]: [u8; 26],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25,
+            ]: [u8; 26],
         ) -> Self {
             Self {
                 motion_task_target_position: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -17093,22 +15857,23 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1710 : S700, Rx, 26);
+    ::devc_runtime::process_data!(RxPdo1710: S700, Rx, 26);
 
     ::devc_runtime::view! {
-        pub RxPdo1710View of RxPdo1710, 26; motion_task_target_position,
-        set_motion_task_target_position : i32 => 0, 32; motion_task_target_velocity,
-        set_motion_task_target_velocity : i32 => 32, 32; motion_task_control_word,
-        set_motion_task_control_word : i32 => 64, 32; motion_task_acceleration,
-        set_motion_task_acceleration : i32 => 96, 32; motion_task_deceleration,
-        set_motion_task_deceleration : i32 => 128, 32; motion_task_profile_number,
-        set_motion_task_profile_number : i32 => 160, 16; controlword, set_controlword :
-        Controlword => 176, 16; latch_controlword, set_latch_controlword :
-        LatchControlword => 192, 16;
+        pub RxPdo1710View of RxPdo1710, 26;
+        motion_task_target_position, set_motion_task_target_position: i32 => 0, 32;
+        motion_task_target_velocity, set_motion_task_target_velocity: i32 => 32, 32;
+        motion_task_control_word, set_motion_task_control_word: i32 => 64, 32;
+        motion_task_acceleration, set_motion_task_acceleration: i32 => 96, 32;
+        motion_task_deceleration, set_motion_task_deceleration: i32 => 128, 32;
+        motion_task_profile_number, set_motion_task_profile_number: i32 => 160, 16;
+        controlword, set_controlword: Controlword => 176, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 192, 16;
     }
 
     impl Pdo for RxPdo1710 {
         const INDEX: u16 = 0x1710;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x607A, 0), bits: 32 },
             Mapping { address: Address::new(0x6081, 0), bits: 32 },
@@ -17171,19 +15936,21 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1711 : S700, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1711: S700, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1711View of RxPdo1711, 16; position_setpoint, set_position_setpoint :
-        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
-        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16; latch_controlword, set_latch_controlword :
-        LatchControlword => 112, 16;
+        pub RxPdo1711View of RxPdo1711, 16;
+        position_setpoint, set_position_setpoint: i32 => 0, 32;
+        additive_velocity_setpoint, set_additive_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1711 {
         const INDEX: u16 = 0x1711;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60C1, 0), bits: 32 },
             Mapping { address: Address::new(0x2308, 0), bits: 32 },
@@ -17244,19 +16011,21 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1712 : S700, Rx, 16);
+    ::devc_runtime::process_data!(RxPdo1712: S700, Rx, 16);
 
     ::devc_runtime::view! {
-        pub RxPdo1712View of RxPdo1712, 16; velocity_setpoint, set_velocity_setpoint :
-        i32 => 0, 32; additive_velocity_setpoint, set_additive_velocity_setpoint : i32 =>
-        32, 32; additive_current_setpoint, set_additive_current_setpoint : i16 => 64, 16;
-        current_limit, set_current_limit : i16 => 80, 16; controlword, set_controlword :
-        Controlword => 96, 16; latch_controlword, set_latch_controlword :
-        LatchControlword => 112, 16;
+        pub RxPdo1712View of RxPdo1712, 16;
+        velocity_setpoint, set_velocity_setpoint: i32 => 0, 32;
+        additive_velocity_setpoint, set_additive_velocity_setpoint: i32 => 32, 32;
+        additive_current_setpoint, set_additive_current_setpoint: i16 => 64, 16;
+        current_limit, set_current_limit: i16 => 80, 16;
+        controlword, set_controlword: Controlword => 96, 16;
+        latch_controlword, set_latch_controlword: LatchControlword => 112, 16;
     }
 
     impl Pdo for RxPdo1712 {
         const INDEX: u16 = 0x1712;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x60FF, 0), bits: 32 },
             Mapping { address: Address::new(0x2308, 0), bits: 32 },
@@ -17304,7 +16073,9 @@ pub mod s700 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]: [u8; 20],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+            ]: [u8; 20],
         ) -> Self {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
@@ -17317,19 +16088,21 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(RxPdo1714 : S700, Rx, 20);
+    ::devc_runtime::process_data!(RxPdo1714: S700, Rx, 20);
 
     ::devc_runtime::view! {
-        pub RxPdo1714View of RxPdo1714, 20; controlword, set_controlword : Controlword =>
-        0, 16; dprvar_2_low, set_dprvar_2_low : i16 => 16, 16; dprvar_set_dprvar3,
-        set_dprvar_set_dprvar3 : i32 => 32, 32; dprvar_set_dprvar4,
-        set_dprvar_set_dprvar4 : i32 => 64, 32; dprvar_set_dprvar5,
-        set_dprvar_set_dprvar5 : i32 => 96, 32; dprvar_set_dprvar6,
-        set_dprvar_set_dprvar6 : i32 => 128, 32;
+        pub RxPdo1714View of RxPdo1714, 20;
+        controlword, set_controlword: Controlword => 0, 16;
+        dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
+        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
+        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
+        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
+        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
         const INDEX: u16 = 0x1714;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6040, 0), bits: 16 },
             Mapping { address: Address::new(0x2306, 0), bits: 16 },
@@ -17366,15 +16139,16 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1A00 : S700, Tx, 2);
+    ::devc_runtime::process_data!(TxPdo1A00: S700, Tx, 2);
 
     ::devc_runtime::view! {
-        pub TxPdo1A00View of TxPdo1A00, 2; statusword, set_statusword : Statusword => 0,
-        16;
+        pub TxPdo1A00View of TxPdo1A00, 2;
+        statusword, set_statusword: Statusword => 0, 16;
     }
 
     impl Pdo for TxPdo1A00 {
         const INDEX: u16 = 0x1A00;
+
         const MAPPING: &'static [Mapping] = &[Mapping { address: Address::new(0x6041, 0), bits: 16 }];
     }
 
@@ -17410,16 +16184,17 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B01 : S700, Tx, 6);
+    ::devc_runtime::process_data!(TxPdo1B01: S700, Tx, 6);
 
     ::devc_runtime::view! {
-        pub TxPdo1B01View of TxPdo1B01, 6; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16;
+        pub TxPdo1B01View of TxPdo1B01, 6;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
     }
 
     impl Pdo for TxPdo1B01 {
         const INDEX: u16 = 0x1B01;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -17460,17 +16235,18 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B03 : S700, Tx, 8);
+    ::devc_runtime::process_data!(TxPdo1B03: S700, Tx, 8);
 
     ::devc_runtime::view! {
-        pub TxPdo1B03View of TxPdo1B03, 8; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; statusword, set_statusword : Statusword
-        => 48, 16;
+        pub TxPdo1B03View of TxPdo1B03, 8;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        statusword, set_statusword: Statusword => 48, 16;
     }
 
     impl Pdo for TxPdo1B03 {
         const INDEX: u16 = 0x1B03;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -17516,17 +16292,19 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B04 : S700, Tx, 10);
+    ::devc_runtime::process_data!(TxPdo1B04: S700, Tx, 10);
 
     ::devc_runtime::view! {
-        pub TxPdo1B04View of TxPdo1B04, 10; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; opmode_message, set_opmode_message :
-        i16 => 48, 16; statusword, set_statusword : Statusword => 64, 16;
+        pub TxPdo1B04View of TxPdo1B04, 10;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        opmode_message, set_opmode_message: i16 => 48, 16;
+        statusword, set_statusword: Statusword => 64, 16;
     }
 
     impl Pdo for TxPdo1B04 {
         const INDEX: u16 = 0x1B04;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -17573,18 +16351,19 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B05 : S700, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B05: S700, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B05View of TxPdo1B05, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; statusword, set_statusword :
-        Statusword => 80, 16;
+        pub TxPdo1B05View of TxPdo1B05, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        statusword, set_statusword: Statusword => 80, 16;
     }
 
     impl Pdo for TxPdo1B05 {
         const INDEX: u16 = 0x1B05;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -17631,17 +16410,19 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B06 : S700, Tx, 12);
+    ::devc_runtime::process_data!(TxPdo1B06: S700, Tx, 12);
 
     ::devc_runtime::view! {
-        pub TxPdo1B06View of TxPdo1B06, 12; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; statusword, set_statusword :
-        Statusword => 32, 16; latch_statusword, set_latch_statusword : LatchStatusword =>
-        48, 16; latch_position, set_latch_position : i32 => 64, 32;
+        pub TxPdo1B06View of TxPdo1B06, 12;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        statusword, set_statusword: Statusword => 32, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 48, 16;
+        latch_position, set_latch_position: i32 => 64, 32;
     }
 
     impl Pdo for TxPdo1B06 {
         const INDEX: u16 = 0x1B06;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6041, 0), bits: 16 },
@@ -17683,16 +16464,18 @@ pub mod s700 {
             let [b16, b17] = self.latch_statusword.0.to_le_bytes();
             let [b18, b19, b20, b21] = self.latch_position.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21]: [u8; 22],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21,
+            ]: [u8; 22],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -17706,20 +16489,22 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B07 : S700, Tx, 22);
+    ::devc_runtime::process_data!(TxPdo1B07: S700, Tx, 22);
 
     ::devc_runtime::view! {
-        pub TxPdo1B07View of TxPdo1B07, 22; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
-        set_position_actual_value_2 : i32 => 32, 32; current_actual_value,
-        set_current_actual_value : i16 => 64, 16; internal_following_error,
-        set_internal_following_error : i32 => 80, 32; statusword, set_statusword :
-        Statusword => 112, 16; latch_statusword, set_latch_statusword : LatchStatusword
-        => 128, 16; latch_position, set_latch_position : i32 => 144, 32;
+        pub TxPdo1B07View of TxPdo1B07, 22;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        position_actual_value_2, set_position_actual_value_2: i32 => 32, 32;
+        current_actual_value, set_current_actual_value: i16 => 64, 16;
+        internal_following_error, set_internal_following_error: i32 => 80, 32;
+        statusword, set_statusword: Statusword => 112, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 128, 16;
+        latch_position, set_latch_position: i32 => 144, 32;
     }
 
     impl Pdo for TxPdo1B07 {
         const INDEX: u16 = 0x1B07;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2050, 0), bits: 32 },
@@ -17769,7 +16554,9 @@ pub mod s700 {
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]: [u8; 20],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+            ]: [u8; 20],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -17783,20 +16570,22 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B08 : S700, Tx, 20);
+    ::devc_runtime::process_data!(TxPdo1B08: S700, Tx, 20);
 
     ::devc_runtime::view! {
-        pub TxPdo1B08View of TxPdo1B08, 20; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; current_actual_value,
-        set_current_actual_value : i16 => 32, 16; internal_following_error,
-        set_internal_following_error : i32 => 48, 32; opmode_message, set_opmode_message
-        : i16 => 80, 16; statusword, set_statusword : Statusword => 96, 16;
-        latch_statusword, set_latch_statusword : LatchStatusword => 112, 16;
-        latch_position, set_latch_position : i32 => 128, 32;
+        pub TxPdo1B08View of TxPdo1B08, 20;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        current_actual_value, set_current_actual_value: i16 => 32, 16;
+        internal_following_error, set_internal_following_error: i32 => 48, 32;
+        opmode_message, set_opmode_message: i16 => 80, 16;
+        statusword, set_statusword: Statusword => 96, 16;
+        latch_statusword, set_latch_statusword: LatchStatusword => 112, 16;
+        latch_position, set_latch_position: i32 => 128, 32;
     }
 
     impl Pdo for TxPdo1B08 {
         const INDEX: u16 = 0x1B08;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x6077, 0), bits: 16 },
@@ -17846,17 +16635,19 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B0A : S700, Tx, 10);
+    ::devc_runtime::process_data!(TxPdo1B0A: S700, Tx, 10);
 
     ::devc_runtime::view! {
-        pub TxPdo1B0AView of TxPdo1B0A, 10; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; opmode_message, set_opmode_message :
-        i16 => 32, 16; statusword, set_statusword : Statusword => 48, 16; digital_io,
-        set_digital_io : DigitalIo => 64, 16;
+        pub TxPdo1B0AView of TxPdo1B0A, 10;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        opmode_message, set_opmode_message: i16 => 32, 16;
+        statusword, set_statusword: Statusword => 48, 16;
+        digital_io, set_digital_io: DigitalIo => 64, 16;
     }
 
     impl Pdo for TxPdo1B0A {
         const INDEX: u16 = 0x1B0A;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2353, 0), bits: 16 },
@@ -17909,24 +16700,26 @@ pub mod s700 {
             let [b14, b15] = self.statusword.0.to_le_bytes();
             let [b16, b17, b18, b19] = self.drive_errors.to_le_bytes();
             let [b20, b21, b22, b23] = self.drive_warnings.to_le_bytes();
-            let [f7_b24, f7_b25, f7_b26, f7_b27] = (self.digital_io.0 as u32)
-                .to_le_bytes();
+            let [f7_b24, f7_b25, f7_b26, f7_b27] = (self.digital_io.0 as u32).to_le_bytes();
             let [b28, b29] = self.analog_inputs_analog_input_1.to_le_bytes();
             let [b30, b31] = self.analog_inputs_analog_input_2.to_le_bytes();
             let [b32, b33, b34, b35] = self.internal_following_error.to_le_bytes();
             let [b36, b37, b38, b39] = self.motion_task_status.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, f7_b24, f7_b25, f7_b26, f7_b27, b28, b29, b30, b31, b32, b33, b34, b35, b36,
-                b37, b38, b39,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, f7_b24, f7_b25, f7_b26, f7_b27, b28, b29, b30, b31, b32, b33, b34, b35,
+                b36, b37, b38, b39,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37, b38, b39]: [u8; 40],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27, b28, b29, b30, b31, b32, b33, b34, b35, b36, b37,
+                b38, b39,
+            ]: [u8; 40],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -17945,24 +16738,27 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B0B : S700, Tx, 40);
+    ::devc_runtime::process_data!(TxPdo1B0B: S700, Tx, 40);
 
     ::devc_runtime::view! {
-        pub TxPdo1B0BView of TxPdo1B0B, 40; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; position_actual_value_2,
-        set_position_actual_value_2 : i32 => 32, 32; velocity_actual_value,
-        set_velocity_actual_value : i32 => 64, 32; current_actual_value,
-        set_current_actual_value : i16 => 96, 16; statusword, set_statusword : Statusword
-        => 112, 16; drive_errors, set_drive_errors : i32 => 128, 32; drive_warnings,
-        set_drive_warnings : i32 => 160, 32; digital_io, set_digital_io : DigitalIo =>
-        192, 32; analog_inputs_analog_input_1, set_analog_inputs_analog_input_1 : i16 =>
-        224, 16; analog_inputs_analog_input_2, set_analog_inputs_analog_input_2 : i16 =>
-        240, 16; internal_following_error, set_internal_following_error : i32 => 256, 32;
-        motion_task_status, set_motion_task_status : i32 => 288, 32;
+        pub TxPdo1B0BView of TxPdo1B0B, 40;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        position_actual_value_2, set_position_actual_value_2: i32 => 32, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 64, 32;
+        current_actual_value, set_current_actual_value: i16 => 96, 16;
+        statusword, set_statusword: Statusword => 112, 16;
+        drive_errors, set_drive_errors: i32 => 128, 32;
+        drive_warnings, set_drive_warnings: i32 => 160, 32;
+        digital_io, set_digital_io: DigitalIo => 192, 32;
+        analog_inputs_analog_input_1, set_analog_inputs_analog_input_1: i16 => 224, 16;
+        analog_inputs_analog_input_2, set_analog_inputs_analog_input_2: i16 => 240, 16;
+        internal_following_error, set_internal_following_error: i32 => 256, 32;
+        motion_task_status, set_motion_task_status: i32 => 288, 32;
     }
 
     impl Pdo for TxPdo1B0B {
         const INDEX: u16 = 0x1B0B;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x2050, 0), bits: 32 },
@@ -18020,16 +16816,18 @@ pub mod s700 {
             let [b22, b23] = self.dprvar_actual_low_dprvar13_lower_16_bits.to_le_bytes();
             let [b24, b25, b26, b27] = self.dprvar_actual_dprvar14.to_le_bytes();
             [
-                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-                b21, b22, b23, b24, b25, b26, b27,
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27,
             ]
         }
 
         /// The fields out of the frame.
         #[inline]
         pub const fn unpack(
-            [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19, b20,
-             b21, b22, b23, b24, b25, b26, b27]: [u8; 28],
+            [
+                b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19,
+                b20, b21, b22, b23, b24, b25, b26, b27,
+            ]: [u8; 28],
         ) -> Self {
             Self {
                 position_actual_value_1: i32::from_le_bytes([b0, b1, b2, b3]),
@@ -18045,25 +16843,24 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(TxPdo1B0C : S700, Tx, 28);
+    ::devc_runtime::process_data!(TxPdo1B0C: S700, Tx, 28);
 
     ::devc_runtime::view! {
-        pub TxPdo1B0CView of TxPdo1B0C, 28; position_actual_value_1,
-        set_position_actual_value_1 : i32 => 0, 32; velocity_actual_value,
-        set_velocity_actual_value : i32 => 32, 32; statusword, set_statusword :
-        Statusword => 64, 16; dprvar_actual_low_dprvar9_lower_16_bits,
-        set_dprvar_actual_low_dprvar9_lower_16_bits : i16 => 80, 16;
-        dprvar_actual_dprvar10, set_dprvar_actual_dprvar10 : i32 => 96, 32;
-        dprvar_actual_dprvar11, set_dprvar_actual_dprvar11 : i32 => 128, 32;
-        dprvar_actual_low_dprvar12_lower_16_bits,
-        set_dprvar_actual_low_dprvar12_lower_16_bits : i16 => 160, 16;
-        dprvar_actual_low_dprvar13_lower_16_bits,
-        set_dprvar_actual_low_dprvar13_lower_16_bits : i16 => 176, 16;
-        dprvar_actual_dprvar14, set_dprvar_actual_dprvar14 : i32 => 192, 32;
+        pub TxPdo1B0CView of TxPdo1B0C, 28;
+        position_actual_value_1, set_position_actual_value_1: i32 => 0, 32;
+        velocity_actual_value, set_velocity_actual_value: i32 => 32, 32;
+        statusword, set_statusword: Statusword => 64, 16;
+        dprvar_actual_low_dprvar9_lower_16_bits, set_dprvar_actual_low_dprvar9_lower_16_bits: i16 => 80, 16;
+        dprvar_actual_dprvar10, set_dprvar_actual_dprvar10: i32 => 96, 32;
+        dprvar_actual_dprvar11, set_dprvar_actual_dprvar11: i32 => 128, 32;
+        dprvar_actual_low_dprvar12_lower_16_bits, set_dprvar_actual_low_dprvar12_lower_16_bits: i16 => 160, 16;
+        dprvar_actual_low_dprvar13_lower_16_bits, set_dprvar_actual_low_dprvar13_lower_16_bits: i16 => 176, 16;
+        dprvar_actual_dprvar14, set_dprvar_actual_dprvar14: i32 => 192, 32;
     }
 
     impl Pdo for TxPdo1B0C {
         const INDEX: u16 = 0x1B0C;
+
         const MAPPING: &'static [Mapping] = &[
             Mapping { address: Address::new(0x6063, 0), bits: 32 },
             Mapping { address: Address::new(0x606C, 0), bits: 32 },
@@ -18101,11 +16898,11 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(Outputs : S700, Rx, 6);
+    ::devc_runtime::process_data!(Outputs: S700, Rx, 6);
 
     ::devc_runtime::view! {
-        pub OutputsView of PDOs in Outputs, 6; rx_pdo_1702, rx_pdo_1702_mut : RxPdo1702
-        => 0;
+        pub OutputsView of PDOs in Outputs, 6;
+        rx_pdo_1702, rx_pdo_1702_mut: RxPdo1702 => 0;
     }
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
@@ -18132,32 +16929,31 @@ pub mod s700 {
         }
     }
 
-    ::devc_runtime::process_data!(Inputs : S700, Tx, 6);
+    ::devc_runtime::process_data!(Inputs: S700, Tx, 6);
 
     ::devc_runtime::view! {
-        pub InputsView of PDOs in Inputs, 6; tx_pdo_1b01, tx_pdo_1b01_mut : TxPdo1B01 =>
-        0;
+        pub InputsView of PDOs in Inputs, 6;
+        tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
     }
 
     /// How the statusword shows the states.
-    pub const STATES: StatePatterns = StatePatterns(
-        &[
-            (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-            (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
-            (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-            (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-            (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
-            (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-            (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
-        ],
-    );
+    pub const STATES: StatePatterns = StatePatterns(&[
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
+        (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
+        (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
+        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
+        (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
+    ]);
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
         }
+
         &[
             transition(0, &[], State::NotReadyToSwitchOn, Coupling::Independent),
             transition(1, &[State::NotReadyToSwitchOn], State::SwitchOnDisabled, Coupling::Independent),
@@ -18438,12 +17234,8 @@ pub mod s700 {
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
     /// Source: 3.4.2, 3.4.3, 3.8.
-    pub const HOMING: HomingBits = HomingBits {
-        start: 0x0800,
-        reached: 0x0400,
-        attained: 0x0200,
-        error: 0x2000,
-    };
+    pub const HOMING: HomingBits =
+        HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
     /// The state machine, as both sides run it.
     pub const MACHINE: Machine = Machine {
@@ -18472,20 +17264,14 @@ pub mod s700 {
         /// 2³² / (128 × 4000 × 60), about 139.81.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY: Unit<S700, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            256,
-        >();
+        pub const VELOCITY: Unit<S700, AngularVelocity> = Unit::of::<10_986_328_125, 256>();
 
         /// Velocity: a step is 1875/33554432 rpm.
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
         /// Source: 3.7.1, 3.7.2.
-        pub const VELOCITY_FEED_FORWARD: Unit<S700, AngularVelocity> = Unit::of::<
-            10_986_328_125,
-            32_768,
-        >();
+        pub const VELOCITY_FEED_FORWARD: Unit<S700, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
         ///
@@ -18513,7 +17299,7 @@ pub mod s700 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18973,242 +17759,36 @@ pub mod s700 {
             pub interpolation_time_index: i8,
         }
 
-        impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
-
-            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
-                match place.field {
-                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
-                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
-                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
-                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                    7 => self.identity_object.slot(place.item),
-                    8 => self.rx_pdo_1600.slot(place.item),
-                    9 => self.tx_pdo_1a00.slot(place.item),
-                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
-                    12 => self.sm_output_parameter.slot(place.item),
-                    13 => self.sm_input_parameter.slot(place.item),
-                    14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
-                    15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
-                    16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
-                    18 => {
-                        self.endat_2_2_additional_information_1
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    19 => {
-                        self.endat_2_2_additional_information_2
-                            .get_mut(item)
-                            .map(sdo::Slot::I16)
-                    }
-                    20 => Some(sdo::Slot::I16(&mut self.current_limit)),
-                    21 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
-                    22 => Some(sdo::Slot::I32(&mut self.latch_position)),
-                    23 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
-                    24 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
-                    25 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
-                    26 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
-                    27 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
-                    28 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
-                    29 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
-                    30 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
-                    31 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
-                    32 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
-                    33 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
-                    34 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
-                    35 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
-                    36 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
-                    37 => Some(sdo::Slot::U16(&mut self.opmode_request)),
-                    38 => Some(sdo::Slot::I16(&mut self.opmode_message)),
-                    39 => Some(sdo::Slot::I32(&mut self.ascii_data)),
-                    40 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
-                    41 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
-                    42 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
-                    43 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
-                    44 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    45 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    46 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    47 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    48 => Some(sdo::Slot::I32(&mut self.position_demand)),
-                    49 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
-                    50 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
-                    51 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    52 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
-                    53 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    54 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
-                    55 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
-                    56 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
-                    57 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
-                    58 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
-                    59 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
-                    60 => self.interpolation_time_period.slot(place.item),
-                    61 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
-                    62 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
-                    63 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
-                    64 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
-                    65 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl IdentityObject {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl RxPdo1600 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl TxPdo1a00 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmOutputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SmInputParameter {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationTimePeriod {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                    _ => None,
-                }
-            }
-        }
-
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
+        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { axis: 0, ..PAGE_10 },
-                Page { axis: 0, ..PAGE_16 },
-                Page { axis: 0, ..PAGE_17 },
-                Page { axis: 0, ..PAGE_1A },
-                Page { axis: 0, ..PAGE_1B },
-                Page { axis: 0, ..PAGE_1C },
-                Page { axis: 0, ..PAGE_20 },
-                Page { axis: 0, ..PAGE_23 },
-                Page { axis: 0, ..PAGE_35 },
-                Page { axis: 0, ..PAGE_36 },
-                Page { axis: 0, ..PAGE_60 },
-                Page { axis: 0, ..PAGE_65 },
+                Page { ordinal: 0, ..PAGE_10 },
+                Page { ordinal: 12, ..PAGE_16 },
+                Page { ordinal: 14, ..PAGE_17 },
+                Page { ordinal: 89, ..PAGE_16 },
+                Page { ordinal: 91, ..PAGE_1B },
+                Page { ordinal: 157, ..PAGE_1C },
+                Page { ordinal: 194, ..PAGE_20 },
+                Page { ordinal: 273, ..PAGE_23 },
+                Page { ordinal: 294, ..PAGE_35 },
+                Page { ordinal: 295, ..PAGE_36 },
+                Page { ordinal: 298, ..PAGE_60 },
+                Page { ordinal: 321, ..PAGE_65 },
             ],
         };
 
-        const DIRECTORY: [u8; 256] = positions(
-            0,
-            &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65],
-        );
+        const DIRECTORY: [u8; 256] =
+            positions(0, &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(
-            code: ObjectCode,
-            axis: u8,
-            field: u16,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            ObjectInfo { code, axis, field, entries, constants }
+        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
+            ObjectInfo { code, entries, ordinal }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
-            object(code, 0, 0, entries, constants)
+        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, data_type, bits, access }
         }
 
-        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, item, data_type, bits, access }
-        }
-
-        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -19222,616 +17802,303 @@ pub mod s700 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    7,
-                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
-                ),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_16,
-            objects: &[
-                object(
-                    ObjectCode::Record,
-                    0,
-                    8,
-                    &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                    &[],
-                ),
-            ],
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                &[entry(0, DataType::UNSIGNED8, 8, RW), entry(1, DataType::UNSIGNED32, 32, RW)],
+            )],
+            ordinal: 0,
         };
 
-        const SLOTS_17: [u8; 20] = positions(
-            0x01,
-            &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x10, 0x11, 0x12, 0x14],
-        );
+        const SLOTS_17: [u8; 20] =
+            positions(0x01, &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x10, 0x11, 0x12, 0x14]);
 
         const PAGE_17: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00,
-                        0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10,
-                        0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x03, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x08, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00,
-                        0x03, 0x23, 0x20, 0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10,
-                        0x00, 0x86, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00,
-                        0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x06, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03,
-                        0x90, 0x20, 0x20, 0x04, 0x90, 0x20, 0x20, 0x05, 0x90, 0x20, 0x20,
-                        0x06, 0x90, 0x20,
-                    ],
-                ),
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 41, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 45, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 54, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 61, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 68, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
-
-        const PAGE_1A: Page = Page {
-            first: 0x00,
-            axis: 0,
-            slots: &SLOTS_1A,
-            objects: &[
-                object(
-                    ObjectCode::Record,
-                    0,
-                    9,
-                    &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                    &[],
-                ),
-            ],
-        };
-
-        const SLOTS_1B: [u8; 12] = positions(
-            0x01,
-            &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x0B, 0x0C],
-        );
+        const SLOTS_1B: [u8; 12] =
+            positions(0x01, &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0A, 0x0B, 0x0C]);
 
         const PAGE_1B: Page = Page {
             first: 0x01,
-            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                constant(
+                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Record, 38, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(
                     ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    43,
+                    &const { EntryInfo::list::<13>(DataType::UNSIGNED32, 32, RO) },
                 ),
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00,
-                        0x53, 0x23, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x41, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00,
-                        0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00,
-                        0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00,
-                        0xF4, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00,
-                        0x41, 0x60, 0x10, 0x00, 0xFD, 0x60,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<13>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x0C, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x20, 0x00,
-                        0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20,
-                        0x00, 0x03, 0x10, 0x20, 0x00, 0x00, 0x20, 0x20, 0x00, 0xFD, 0x60,
-                        0x10, 0x01, 0xB2, 0x20, 0x10, 0x02, 0xB2, 0x20, 0x20, 0x00, 0xF4,
-                        0x60, 0x20, 0x00, 0x02, 0x10,
-                    ],
-                ),
-                constant(
-                    ObjectCode::Record,
-                    &const {
-                        EntryInfo::list::<10>(CONSTANT, DataType::UNSIGNED32, 32, RO)
-                    },
-                    &[
-                        0x09, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00,
-                        0x41, 0x60, 0x10, 0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20, 0x20,
-                        0x03, 0x30, 0x20, 0x10, 0x04, 0x50, 0x23, 0x10, 0x05, 0x50, 0x23,
-                        0x20, 0x06, 0x30, 0x20,
-                    ],
+                    56,
+                    &const { EntryInfo::list::<10>(DataType::UNSIGNED32, 32, RO) },
                 ),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                constant(
+                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
+                object(
                     ObjectCode::Array,
-                    &const {
-                        EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO)
-                    },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                    5,
+                    &[
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    ],
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    10,
+                    7,
                     &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    11,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
-                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    12,
+                    9,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RO),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
                 ),
                 object(
                     ObjectCode::Record,
-                    0,
-                    13,
+                    23,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED16, 16, RW),
+                        entry(2, DataType::UNSIGNED32, 32, RW),
+                        entry(3, DataType::UNSIGNED32, 32, RW),
+                        entry(4, DataType::UNSIGNED16, 16, RO),
+                        entry(5, DataType::UNSIGNED32, 32, RO),
+                        entry(6, DataType::UNSIGNED32, 32, RO),
+                        entry(7, DataType::UNSIGNED32, 32, RO),
+                        entry(8, DataType::UNSIGNED16, 16, RW),
+                        entry(9, DataType::UNSIGNED32, 32, RO),
+                        entry(10, DataType::UNSIGNED32, 32, RW),
+                        entry(11, DataType::UNSIGNED16, 16, RO),
+                        entry(12, DataType::UNSIGNED16, 16, RO),
+                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_20: [u8; 179] = positions(
-            0x00,
-            &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2],
-        );
+        const SLOTS_20: [u8; 179] =
+            positions(0x00, &[0x00, 0x30, 0x50, 0x54, 0x55, 0x56, 0x61, 0x90, 0xA0, 0xA4, 0xA5, 0xB1, 0xB2]);
 
         const PAGE_20: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    15,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX))
-                    },
-                    &[8],
+                    1,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    17,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    11,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    18,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    28,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
                 object(
                     ObjectCode::Array,
-                    0,
-                    19,
-                    &const {
-                        EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[16],
+                    45,
+                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    21,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX))
-                    },
-                    &[8],
+                    63,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
                 ),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    24,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    26,
-                    &const {
-                        EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[2],
+                    76,
+                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
             ],
+            ordinal: 0,
         };
 
-        const SLOTS_23: [u8; 86] = positions(
-            0x00,
-            &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55],
-        );
+        const SLOTS_23: [u8; 86] =
+            positions(0x00, &[0x00, 0x02, 0x03, 0x05, 0x06, 0x07, 0x08, 0x10, 0x50, 0x51, 0x52, 0x53, 0x55]);
 
         const PAGE_23: Page = Page {
             first: 0x00,
-            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
                 object(
                     ObjectCode::Array,
-                    0,
-                    35,
-                    &const {
-                        EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX))
-                    },
-                    &[8],
+                    8,
+                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
                 ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    39,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
-                ),
+                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
-            axis: 0,
             slots: &SLOTS_35,
-            objects: &[
-                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
+            ordinal: 0,
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
-            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
             0x40,
             &[
-                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81,
-                0x83, 0x84, 0x86, 0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
+                0x40, 0x41, 0x60, 0x61, 0x62, 0x63, 0x64, 0x6C, 0x71, 0x77, 0x7A, 0x81, 0x83, 0x84, 0x86,
+                0xC1, 0xC2, 0xF4, 0xFC, 0xFD, 0xFF,
             ],
         );
 
         const PAGE_60: Page = Page {
             first: 0x40,
-            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
+                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
+                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
                 object(
                     ObjectCode::Record,
-                    0,
-                    60,
+                    16,
                     &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, DataType::UNSIGNED8, 8, RO),
+                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
                 ),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
             ],
+            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
-            axis: 0,
             slots: &SLOTS_65,
-            objects: &[
-                object(ObjectCode::Variable, 0, 65, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
+            ordinal: 0,
         };
     }
 }

@@ -116,7 +116,7 @@ impl Printer {
         self.document.text.push('{');
         self.document.open(Group::Block, " ");
         self.document.heighten();
-        self.statements(content, Place::Items);
+        self.statements(content, Place::Body);
         self.document.close(" ");
         self.document.text.push('}');
         self.is_exact = was_exact;

@@ -136,8 +136,6 @@ fn ends_with_block(tokens: &[Token]) -> usize {
 fn ends_macro(tokens: &[Token]) -> usize {
     let group = tokens.iter().position(|token| matches!(token, Token::Group(..)));
     let end = group.filter(|place| tokens.get(*place).is_some_and(Token::is_braces)).map(|place| place + 1);
-    match end {
-        Some(end) if !tokens.get(end).is_some_and(|next| matches!(next, Token::Sign(_))) => end,
-        _ => ends_with_semicolon(tokens),
-    }
+    let goes_on = |end: &usize| tokens.get(*end).is_some_and(|next| next.is_sign(".") || next.is_sign("?"));
+    end.filter(|end| !goes_on(end)).unwrap_or_else(|| ends_with_semicolon(tokens))
 }
