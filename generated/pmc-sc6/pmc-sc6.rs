@@ -3365,7 +3365,7 @@ pub mod double {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -3859,36 +3859,254 @@ pub mod double {
             pub buffer_clear: BufferClear,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    4 => self.identity_object.slot(place.item),
+                    5 => self.sm_output_parameter.slot(place.item),
+                    6 => self.sm_input_parameter.slot(place.item),
+                    _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
+                }
+            }
+        }
+
+        impl AxisDictionary {
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    16 => self.vl_velocity_acceleration.slot(place.item),
+                    17 => self.vl_velocity_deceleration.slot(place.item),
+                    18 => self.vl_velocity_quick_stop.slot(place.item),
+                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
+                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
+                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
+                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
+                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    63 => self.interpolation_time_period.slot(place.item),
+                    64 => self.interpolation_data_configuration.slot(place.item),
+                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
+                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityAcceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityDeceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityQuickStop {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataConfiguration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
+                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
+                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 9, ..PAGE_16 },
-                Page { ordinal: 27, ..PAGE_1A },
-                Page { ordinal: 49, ..PAGE_1C },
-                Page { ordinal: 88, ..PAGE_20 },
-                Page { ordinal: 89, ..PAGE_28 },
-                Page { ordinal: 90, ..PAGE_60 },
-                Page { ordinal: 212, ..PAGE_65 },
-                Page { ordinal: 213, ..PAGE_60 },
-                Page { ordinal: 335, ..PAGE_65 },
-                Page { ordinal: 336, ..PAGE_20 },
-                Page { ordinal: 337, ..PAGE_28 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_16 },
+                Page { axis: 0, ..PAGE_1A },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_28 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
+                Page { axis: 1, ..PAGE_60 },
+                Page { axis: 1, ..PAGE_65 },
+                Page { axis: 1, ..PAGE_20 },
+                Page { axis: 1, ..PAGE_28 },
             ],
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -3901,114 +4119,176 @@ pub mod double {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    4,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_16,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 9, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20,
+                        0x00, 0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71,
+                        0x60, 0x20, 0x01, 0xFE, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x08, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x20,
+                        0x00, 0xFF, 0x68, 0x20, 0x00, 0xB1, 0x68, 0x10, 0x00, 0xB2, 0x68, 0x10, 0x00, 0x71,
+                        0x68, 0x20, 0x01, 0xFE, 0x68,
+                    ],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1A,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) }),
-                object(
+                constant(
                     ObjectCode::Record,
-                    11,
-                    &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
+                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20,
+                        0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD,
+                        0x60, 0x20, 0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x0A, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68, 0x20,
+                        0x00, 0x6C, 0x68, 0x10, 0x00, 0x77, 0x68, 0x20, 0x00, 0xF4, 0x68, 0x20, 0x00, 0xFD,
+                        0x68, 0x20, 0x01, 0xE4, 0x68, 0x10, 0x00, 0xC9, 0xA8, 0x10, 0x00, 0x43, 0xA0,
+                    ],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(ObjectCode::Array, 5, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
-                object(ObjectCode::Array, 8, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
-                object(
-                    ObjectCode::Record,
-                    11,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x02, 0x00, 0x16, 0x01, 0x16],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x02, 0x00, 0x1A, 0x01, 0x1A],
                 ),
                 object(
                     ObjectCode::Record,
-                    25,
+                    0,
+                    5,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    6,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
+            axis: 0,
             slots: &SLOTS_20,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                7,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
+            axis: 0,
             slots: &SLOTS_28,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                8,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_60: [u8; 193] = positions(
@@ -4024,177 +4304,385 @@ pub mod double {
 
         const PAGE_60: Page = Page {
             first: 0x3F,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    6,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    ObjectCode::Variable,
+                    0,
+                    10,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
-                    9,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
+                    0,
                     12,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
+                    0,
                     15,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    16,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    17,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
                     18,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
                 ),
                 object(
                     ObjectCode::Array,
-                    21,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
-                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    39,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    20,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    23,
+                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    26,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    27,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    29,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    30,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    31,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    34,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    36,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    40,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    41,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     43,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    46,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    47,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    49,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    50,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    52,
+                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     53,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
+                    0,
+                    54,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    55,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     56,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    60,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    62,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    63,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    64,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
+                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
+                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
+                    ],
+                    &[5],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     65,
-                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    66,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    67,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    &[2],
                 ),
-                object(
-                    ObjectCode::Record,
-                    78,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
-                    81,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RO),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED8, 8, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RW),
-                        entry(5, DataType::UNSIGNED8, 8, WO),
-                        entry(6, DataType::UNSIGNED8, 8, WO),
-                    ],
-                ),
-                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
-                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    114,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    68,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    &[20],
                 ),
-                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    119,
-                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
+                    0,
+                    69,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    70,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    73,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    74,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                75,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }
@@ -7191,7 +7679,7 @@ pub mod single {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -7665,31 +8153,241 @@ pub mod single {
             pub buffer_clear: BufferClear,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    4 => self.identity_object.slot(place.item),
+                    5 => self.sm_output_parameter.slot(place.item),
+                    6 => self.sm_input_parameter.slot(place.item),
+                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    16 => self.vl_velocity_acceleration.slot(place.item),
+                    17 => self.vl_velocity_deceleration.slot(place.item),
+                    18 => self.vl_velocity_quick_stop.slot(place.item),
+                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
+                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
+                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
+                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
+                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    63 => self.interpolation_time_period.slot(place.item),
+                    64 => self.interpolation_data_configuration.slot(place.item),
+                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
+                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityAcceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityDeceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityQuickStop {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataConfiguration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
+                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
+                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 9, ..PAGE_16 },
-                Page { ordinal: 18, ..PAGE_1A },
-                Page { ordinal: 29, ..PAGE_1C },
-                Page { ordinal: 66, ..PAGE_20 },
-                Page { ordinal: 67, ..PAGE_28 },
-                Page { ordinal: 68, ..PAGE_60 },
-                Page { ordinal: 190, ..PAGE_65 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_16 },
+                Page { axis: 0, ..PAGE_1A },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_28 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] = positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -7702,112 +8400,154 @@ pub mod single {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    4,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_16,
-            objects: &[object(
+            objects: &[constant(
                 ObjectCode::Record,
-                0,
-                &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) },
+                &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00,
+                    0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20,
+                    0x01, 0xFE, 0x60,
+                ],
             )],
-            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1A,
-            objects: &[object(
+            objects: &[constant(
                 ObjectCode::Record,
-                0,
-                &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
+                &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20, 0x00,
+                    0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20,
+                    0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
+                ],
             )],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(ObjectCode::Array, 5, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
-                object(ObjectCode::Array, 7, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
-                object(
-                    ObjectCode::Record,
-                    9,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x01, 0x00, 0x16],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x01, 0x00, 0x1A],
                 ),
                 object(
                     ObjectCode::Record,
-                    23,
+                    0,
+                    5,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    6,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
+            axis: 0,
             slots: &SLOTS_20,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                7,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
+            axis: 0,
             slots: &SLOTS_28,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                8,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_60: [u8; 193] = positions(
@@ -7823,177 +8563,385 @@ pub mod single {
 
         const PAGE_60: Page = Page {
             first: 0x3F,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    6,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    ObjectCode::Variable,
+                    0,
+                    10,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
-                    9,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
+                    0,
                     12,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
+                    0,
                     15,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    16,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    17,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
                     18,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
                 ),
                 object(
                     ObjectCode::Array,
-                    21,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
-                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    39,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    20,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    23,
+                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    26,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    27,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    29,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    30,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    31,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    34,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    36,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    40,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    41,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     43,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    46,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    47,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    49,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    50,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    52,
+                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     53,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
+                    0,
+                    54,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    55,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     56,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    60,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    62,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    63,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    64,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
+                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
+                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
+                    ],
+                    &[5],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     65,
-                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    66,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    67,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    &[2],
                 ),
-                object(
-                    ObjectCode::Record,
-                    78,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
-                    81,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RO),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED8, 8, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RW),
-                        entry(5, DataType::UNSIGNED8, 8, WO),
-                        entry(6, DataType::UNSIGNED8, 8, WO),
-                    ],
-                ),
-                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
-                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    114,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    68,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    &[20],
                 ),
-                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    119,
-                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
+                    0,
+                    69,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    70,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    73,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    74,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                75,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }
@@ -11372,7 +12320,7 @@ pub mod double_hires {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11866,36 +12814,254 @@ pub mod double_hires {
             pub buffer_clear: BufferClear,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    4 => self.identity_object.slot(place.item),
+                    5 => self.sm_output_parameter.slot(place.item),
+                    6 => self.sm_input_parameter.slot(place.item),
+                    _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
+                }
+            }
+        }
+
+        impl AxisDictionary {
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    16 => self.vl_velocity_acceleration.slot(place.item),
+                    17 => self.vl_velocity_deceleration.slot(place.item),
+                    18 => self.vl_velocity_quick_stop.slot(place.item),
+                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
+                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
+                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
+                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
+                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    63 => self.interpolation_time_period.slot(place.item),
+                    64 => self.interpolation_data_configuration.slot(place.item),
+                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
+                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityAcceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityDeceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityQuickStop {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataConfiguration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
+                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
+                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 9, ..PAGE_16 },
-                Page { ordinal: 27, ..PAGE_1A },
-                Page { ordinal: 49, ..PAGE_1C },
-                Page { ordinal: 88, ..PAGE_20 },
-                Page { ordinal: 89, ..PAGE_28 },
-                Page { ordinal: 90, ..PAGE_60 },
-                Page { ordinal: 212, ..PAGE_65 },
-                Page { ordinal: 213, ..PAGE_60 },
-                Page { ordinal: 335, ..PAGE_65 },
-                Page { ordinal: 336, ..PAGE_20 },
-                Page { ordinal: 337, ..PAGE_28 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_16 },
+                Page { axis: 0, ..PAGE_1A },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_28 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
+                Page { axis: 1, ..PAGE_60 },
+                Page { axis: 1, ..PAGE_65 },
+                Page { axis: 1, ..PAGE_20 },
+                Page { axis: 1, ..PAGE_28 },
             ],
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -11908,114 +13074,176 @@ pub mod double_hires {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    4,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_16,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 9, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20,
+                        0x00, 0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71,
+                        0x60, 0x20, 0x01, 0xFE, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x08, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x20,
+                        0x00, 0xFF, 0x68, 0x20, 0x00, 0xB1, 0x68, 0x10, 0x00, 0xB2, 0x68, 0x10, 0x00, 0x71,
+                        0x68, 0x20, 0x01, 0xFE, 0x68,
+                    ],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 2] = positions(0x00, &[0x00, 0x01]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1A,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) }),
-                object(
+                constant(
                     ObjectCode::Record,
-                    11,
-                    &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
+                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20,
+                        0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD,
+                        0x60, 0x20, 0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x0A, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68, 0x20,
+                        0x00, 0x6C, 0x68, 0x10, 0x00, 0x77, 0x68, 0x20, 0x00, 0xF4, 0x68, 0x20, 0x00, 0xFD,
+                        0x68, 0x20, 0x01, 0xE4, 0x68, 0x10, 0x00, 0xC9, 0xA8, 0x10, 0x00, 0x43, 0xA0,
+                    ],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(ObjectCode::Array, 5, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
-                object(ObjectCode::Array, 8, &const { EntryInfo::list::<3>(DataType::UNSIGNED16, 16, RO) }),
-                object(
-                    ObjectCode::Record,
-                    11,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x02, 0x00, 0x16, 0x01, 0x16],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x02, 0x00, 0x1A, 0x01, 0x1A],
                 ),
                 object(
                     ObjectCode::Record,
-                    25,
+                    0,
+                    5,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    6,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
+            axis: 0,
             slots: &SLOTS_20,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                7,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
+            axis: 0,
             slots: &SLOTS_28,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                8,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_60: [u8; 193] = positions(
@@ -12031,177 +13259,385 @@ pub mod double_hires {
 
         const PAGE_60: Page = Page {
             first: 0x3F,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    6,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    ObjectCode::Variable,
+                    0,
+                    10,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
-                    9,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
+                    0,
                     12,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
+                    0,
                     15,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    16,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    17,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
                     18,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
                 ),
                 object(
                     ObjectCode::Array,
-                    21,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
-                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    39,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    20,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    23,
+                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    26,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    27,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    29,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    30,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    31,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    34,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    36,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    40,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    41,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     43,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    46,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    47,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    49,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    50,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    52,
+                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     53,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
+                    0,
+                    54,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    55,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     56,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    60,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    62,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    63,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    64,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
+                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
+                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
+                    ],
+                    &[5],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     65,
-                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    66,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    67,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    &[2],
                 ),
-                object(
-                    ObjectCode::Record,
-                    78,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
-                    81,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RO),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED8, 8, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RW),
-                        entry(5, DataType::UNSIGNED8, 8, WO),
-                        entry(6, DataType::UNSIGNED8, 8, WO),
-                    ],
-                ),
-                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
-                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    114,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    68,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    &[20],
                 ),
-                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    119,
-                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
+                    0,
+                    69,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    70,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    73,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    74,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                75,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }
@@ -15223,7 +16659,7 @@ pub mod single_hires {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15697,31 +17133,241 @@ pub mod single_hires {
             pub buffer_clear: BufferClear,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    4 => self.identity_object.slot(place.item),
+                    5 => self.sm_output_parameter.slot(place.item),
+                    6 => self.sm_input_parameter.slot(place.item),
+                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    16 => self.vl_velocity_acceleration.slot(place.item),
+                    17 => self.vl_velocity_deceleration.slot(place.item),
+                    18 => self.vl_velocity_quick_stop.slot(place.item),
+                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
+                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
+                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
+                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
+                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    63 => self.interpolation_time_period.slot(place.item),
+                    64 => self.interpolation_data_configuration.slot(place.item),
+                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
+                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityAcceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityDeceleration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl VlVelocityQuickStop {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.delta_speed)),
+                    1 => Some(sdo::Slot::U16(&mut self.delta_time)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataConfiguration {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
+                    1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
+                    4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 9, ..PAGE_16 },
-                Page { ordinal: 18, ..PAGE_1A },
-                Page { ordinal: 29, ..PAGE_1C },
-                Page { ordinal: 66, ..PAGE_20 },
-                Page { ordinal: 67, ..PAGE_28 },
-                Page { ordinal: 68, ..PAGE_60 },
-                Page { ordinal: 190, ..PAGE_65 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_16 },
+                Page { axis: 0, ..PAGE_1A },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_28 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] = positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -15734,112 +17380,154 @@ pub mod single_hires {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::VISIBLE_STRING, 640, RO)]),
-                object(ObjectCode::Record, 4, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 640, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    4,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_16,
-            objects: &[object(
+            objects: &[constant(
                 ObjectCode::Record,
-                0,
-                &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) },
+                &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00,
+                    0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20,
+                    0x01, 0xFE, 0x60,
+                ],
             )],
-            ordinal: 0,
         };
 
         const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_1A: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1A,
-            objects: &[object(
+            objects: &[constant(
                 ObjectCode::Record,
-                0,
-                &const { EntryInfo::list::<11>(DataType::UNSIGNED32, 32, RO) },
+                &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                &[
+                    0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20, 0x00,
+                    0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20,
+                    0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20,
+                ],
             )],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(ObjectCode::Array, 5, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
-                object(ObjectCode::Array, 7, &const { EntryInfo::list::<2>(DataType::UNSIGNED16, 16, RO) }),
-                object(
-                    ObjectCode::Record,
-                    9,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
-                    ],
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x01, 0x00, 0x16],
+                ),
+                constant(
+                    ObjectCode::Array,
+                    &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
+                    &[0x01, 0x00, 0x1A],
                 ),
                 object(
                     ObjectCode::Record,
-                    23,
+                    0,
+                    5,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    6,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 1] = positions(0x43, &[0x43]);
 
         const PAGE_20: Page = Page {
             first: 0x43,
+            axis: 0,
             slots: &SLOTS_20,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                7,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_28: [u8; 1] = positions(0xC9, &[0xC9]);
 
         const PAGE_28: Page = Page {
             first: 0xC9,
+            axis: 0,
             slots: &SLOTS_28,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType(0x001F), 16, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                8,
+                &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_60: [u8; 193] = positions(
@@ -15855,177 +17543,385 @@ pub mod single_hires {
 
         const PAGE_60: Page = Page {
             first: 0x3F,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType(0x001F), 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType(0x001F), 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Array,
-                    6,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    ObjectCode::Variable,
+                    0,
+                    10,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
-                    9,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
+                    0,
                     12,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
                 ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
+                    0,
                     15,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    16,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    17,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
                     18,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    &[2],
                 ),
                 object(
                     ObjectCode::Array,
-                    21,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 24, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 25, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 26, &[entry(0, DataType::INTEGER8, 8, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 27, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 28, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 29, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 30, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 31, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 32, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 33, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 34, &[entry(0, DataType::UNSIGNED32, 32, RW.and(TX))]),
-                object(ObjectCode::Variable, 35, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 36, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 37, &[entry(0, DataType::UNSIGNED32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 38, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
                 object(
                     ObjectCode::Array,
-                    39,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    20,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 42, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    23,
+                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    26,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    27,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    29,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    30,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    31,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    34,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    36,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    40,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    41,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     43,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 46, &[entry(0, DataType::UNSIGNED8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 47, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 48, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 49, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 50, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 51, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 52, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
+                    0,
+                    46,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    47,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    49,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    50,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    52,
+                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     53,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
+                    0,
+                    54,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    55,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     56,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 59, &[entry(0, DataType::INTEGER8, 8, RW)]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    60,
-                    &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    62,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 63, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 64, &[entry(0, DataType::UNSIGNED8, 8, RW)]),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
+                    0,
+                    63,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                    &[2],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    64,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
+                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
+                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
+                    ],
+                    &[5],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
                     65,
-                    &const { EntryInfo::list::<2>(DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
                 ),
-                object(ObjectCode::Variable, 67, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 68, &[entry(0, DataType::INTEGER16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 69, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 70, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 71, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    66,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    0,
+                    67,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    &[2],
                 ),
-                object(
-                    ObjectCode::Record,
-                    78,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                ),
-                object(
-                    ObjectCode::Record,
-                    81,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED32, 32, RO),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED8, 8, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RW),
-                        entry(5, DataType::UNSIGNED8, 8, WO),
-                        entry(6, DataType::UNSIGNED8, 8, WO),
-                    ],
-                ),
-                object(ObjectCode::Variable, 88, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Variable, 89, &[entry(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))]),
-                object(ObjectCode::Array, 90, &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RW) }),
-                object(ObjectCode::Array, 93, &const { EntryInfo::list::<21>(DataType::INTEGER8, 8, RO) }),
                 object(
                     ObjectCode::Array,
-                    114,
-                    &const { EntryInfo::list::<2>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    68,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    &[20],
                 ),
-                object(ObjectCode::Variable, 116, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 117, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 118, &[entry(0, DataType(0x0020), 32, RO.and(TX))]),
                 object(
                     ObjectCode::Array,
-                    119,
-                    &const { EntryInfo::list::<2>(DataType(0x0020), 32, RW.and(RX)) },
+                    0,
+                    69,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[1],
                 ),
-                object(ObjectCode::Variable, 121, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    70,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    73,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    &[1],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    74,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                75,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }

@@ -4249,7 +4249,7 @@ pub mod s300 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -4709,36 +4709,232 @@ pub mod s300 {
             pub interpolation_time_index: i8,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
+                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
+                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
+                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    7 => self.identity_object.slot(place.item),
+                    8 => self.rx_pdo_1600.slot(place.item),
+                    9 => self.tx_pdo_1a00.slot(place.item),
+                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
+                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    12 => self.sm_output_parameter.slot(place.item),
+                    13 => self.sm_input_parameter.slot(place.item),
+                    14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
+                    15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
+                    16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
+                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
+                    19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
+                    20 => Some(sdo::Slot::I16(&mut self.current_limit)),
+                    21 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
+                    22 => Some(sdo::Slot::I32(&mut self.latch_position)),
+                    23 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
+                    24 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
+                    25 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
+                    26 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
+                    27 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
+                    28 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
+                    29 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
+                    30 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
+                    31 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
+                    32 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
+                    33 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
+                    34 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
+                    35 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
+                    36 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
+                    37 => Some(sdo::Slot::U16(&mut self.opmode_request)),
+                    38 => Some(sdo::Slot::I16(&mut self.opmode_message)),
+                    39 => Some(sdo::Slot::I32(&mut self.ascii_data)),
+                    40 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
+                    41 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
+                    42 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
+                    43 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
+                    44 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    45 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    46 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    47 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    48 => Some(sdo::Slot::I32(&mut self.position_demand)),
+                    49 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
+                    50 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
+                    51 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    52 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
+                    53 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    54 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
+                    55 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
+                    56 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
+                    57 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
+                    58 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
+                    59 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
+                    60 => self.interpolation_time_period.slot(place.item),
+                    61 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
+                    62 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
+                    63 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
+                    64 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
+                    65 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl RxPdo1600 {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl TxPdo1a00 {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager2PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager3PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 12, ..PAGE_16 },
-                Page { ordinal: 14, ..PAGE_17 },
-                Page { ordinal: 89, ..PAGE_16 },
-                Page { ordinal: 91, ..PAGE_1B },
-                Page { ordinal: 157, ..PAGE_1C },
-                Page { ordinal: 194, ..PAGE_20 },
-                Page { ordinal: 273, ..PAGE_23 },
-                Page { ordinal: 294, ..PAGE_35 },
-                Page { ordinal: 295, ..PAGE_36 },
-                Page { ordinal: 298, ..PAGE_60 },
-                Page { ordinal: 321, ..PAGE_65 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_16 },
+                Page { axis: 0, ..PAGE_17 },
+                Page { axis: 0, ..PAGE_1A },
+                Page { axis: 0, ..PAGE_1B },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_23 },
+                Page { axis: 0, ..PAGE_35 },
+                Page { axis: 0, ..PAGE_36 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -4752,31 +4948,39 @@ pub mod s300 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    7,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_16,
             objects: &[object(
                 ObjectCode::Record,
                 0,
-                &[entry(0, DataType::UNSIGNED8, 8, RW), entry(1, DataType::UNSIGNED32, 32, RW)],
+                8,
+                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &[],
             )],
-            ordinal: 0,
         };
 
         const SLOTS_17: [u8; 20] =
@@ -4784,23 +4988,119 @@ pub mod s300 {
 
         const PAGE_17: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 41, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 45, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 54, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 61, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 68, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
+                        0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x03, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x08, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00, 0x03, 0x23, 0x20,
+                        0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10, 0x00, 0x86, 0x60, 0x10, 0x00, 0x40,
+                        0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03, 0x90, 0x20, 0x20,
+                        0x04, 0x90, 0x20, 0x20, 0x05, 0x90, 0x20, 0x20, 0x06, 0x90, 0x20,
+                    ],
+                ),
             ],
-            ordinal: 0,
+        };
+
+        const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
+
+        const PAGE_1A: Page = Page {
+            first: 0x00,
+            axis: 0,
+            slots: &SLOTS_1A,
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                9,
+                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &[],
+            )],
         };
 
         const SLOTS_1B: [u8; 12] =
@@ -4808,95 +5108,168 @@ pub mod s300 {
 
         const PAGE_1B: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 38, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(
+                constant(
                     ObjectCode::Record,
-                    43,
-                    &const { EntryInfo::list::<13>(DataType::UNSIGNED32, 32, RO) },
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
                 ),
-                object(
+                constant(
                     ObjectCode::Record,
-                    56,
-                    &const { EntryInfo::list::<10>(DataType::UNSIGNED32, 32, RO) },
+                    &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
+                        0x00, 0xA0, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
+                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
+                        0x00, 0xFD, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<13>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x0C, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x20, 0x00, 0x6C, 0x60, 0x10,
+                        0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20, 0x00, 0x03, 0x10, 0x20, 0x00, 0x00,
+                        0x20, 0x20, 0x00, 0xFD, 0x60, 0x10, 0x01, 0xB2, 0x20, 0x10, 0x02, 0xB2, 0x20, 0x20,
+                        0x00, 0xF4, 0x60, 0x20, 0x00, 0x02, 0x10,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<10>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x09, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
+                        0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20, 0x20, 0x03, 0x30, 0x20, 0x10, 0x04, 0x50,
+                        0x23, 0x10, 0x05, 0x50, 0x23, 0x20, 0x06, 0x30, 0x20,
+                    ],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(
+                constant(
                     ObjectCode::Array,
-                    5,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
                 ),
                 object(
                     ObjectCode::Array,
-                    7,
+                    0,
+                    10,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    11,
+                    &[
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    ],
+                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    9,
+                    0,
+                    12,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
                 ),
                 object(
                     ObjectCode::Record,
-                    23,
+                    0,
+                    13,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 179] =
@@ -4904,47 +5277,71 @@ pub mod s300 {
 
         const PAGE_20: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    1,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    15,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    11,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    17,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    28,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    18,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    45,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
-                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    63,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
+                    0,
+                    21,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    23,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    24,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    26,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[2],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_23: [u8; 86] =
@@ -4952,49 +5349,69 @@ pub mod s300 {
 
         const PAGE_23: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    8,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    35,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
+            axis: 0,
             slots: &SLOTS_35,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                40,
+                &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
+            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
@@ -5007,48 +5424,68 @@ pub mod s300 {
 
         const PAGE_60: Page = Page {
             first: 0x40,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Record,
-                    16,
+                    0,
+                    60,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                65,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }
@@ -8301,7 +8738,7 @@ pub mod s400 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -8737,34 +9174,208 @@ pub mod s400 {
             pub interpolation_time_index: i8,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
+                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
+                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
+                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    7 => self.identity_object.slot(place.item),
+                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
+                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    10 => self.sm_output_parameter.slot(place.item),
+                    11 => self.sm_input_parameter.slot(place.item),
+                    12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
+                    13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
+                    14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
+                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
+                    18 => Some(sdo::Slot::I16(&mut self.current_limit)),
+                    19 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
+                    20 => Some(sdo::Slot::I32(&mut self.latch_position)),
+                    21 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
+                    22 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
+                    23 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
+                    24 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
+                    25 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
+                    26 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
+                    27 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
+                    28 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
+                    29 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
+                    30 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
+                    31 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
+                    32 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
+                    33 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
+                    34 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
+                    35 => Some(sdo::Slot::U16(&mut self.opmode_request)),
+                    36 => Some(sdo::Slot::I16(&mut self.opmode_message)),
+                    37 => Some(sdo::Slot::I32(&mut self.ascii_data)),
+                    38 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
+                    39 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
+                    40 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
+                    41 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
+                    42 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    43 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    44 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    45 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    46 => Some(sdo::Slot::I32(&mut self.position_demand)),
+                    47 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
+                    48 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
+                    49 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    50 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
+                    51 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    52 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
+                    53 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
+                    54 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
+                    55 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
+                    56 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
+                    57 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
+                    58 => self.interpolation_time_period.slot(place.item),
+                    59 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
+                    60 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
+                    61 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
+                    62 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
+                    63 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager2PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager3PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 12, ..PAGE_17 },
-                Page { ordinal: 53, ..PAGE_1B },
-                Page { ordinal: 91, ..PAGE_1C },
-                Page { ordinal: 128, ..PAGE_20 },
-                Page { ordinal: 207, ..PAGE_23 },
-                Page { ordinal: 228, ..PAGE_35 },
-                Page { ordinal: 229, ..PAGE_36 },
-                Page { ordinal: 232, ..PAGE_60 },
-                Page { ordinal: 255, ..PAGE_65 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_17 },
+                Page { axis: 0, ..PAGE_1B },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_23 },
+                Page { axis: 0, ..PAGE_35 },
+                Page { axis: 0, ..PAGE_36 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -8778,120 +9389,231 @@ pub mod s400 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    7,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_17: [u8; 8] = positions(0x01, &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_17: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
+                        0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
+                        0x20,
+                    ],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1B: [u8; 8] = positions(0x01, &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_1B: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
+                        0x00, 0xA0, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
+                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(
+                constant(
                     ObjectCode::Array,
-                    5,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
                 ),
                 object(
                     ObjectCode::Array,
-                    7,
+                    0,
+                    8,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
+                    &[],
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
+                    0,
                     9,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
+                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    23,
+                    0,
+                    10,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    11,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 179] =
@@ -8899,47 +9621,71 @@ pub mod s400 {
 
         const PAGE_20: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    1,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    13,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    11,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    15,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    28,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    16,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    45,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    17,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
-                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    63,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    21,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    22,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    24,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[2],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_23: [u8; 86] =
@@ -8947,49 +9693,69 @@ pub mod s400 {
 
         const PAGE_23: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    8,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    33,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
+            axis: 0,
             slots: &SLOTS_35,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                38,
+                &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
+            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
@@ -9002,48 +9768,68 @@ pub mod s400 {
 
         const PAGE_60: Page = Page {
             first: 0x40,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    43,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Record,
-                    16,
+                    0,
+                    58,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                63,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }
@@ -12296,7 +13082,7 @@ pub mod s600 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12732,34 +13518,208 @@ pub mod s600 {
             pub interpolation_time_index: i8,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
+                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
+                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
+                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    7 => self.identity_object.slot(place.item),
+                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
+                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    10 => self.sm_output_parameter.slot(place.item),
+                    11 => self.sm_input_parameter.slot(place.item),
+                    12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
+                    13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
+                    14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
+                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
+                    18 => Some(sdo::Slot::I16(&mut self.current_limit)),
+                    19 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
+                    20 => Some(sdo::Slot::I32(&mut self.latch_position)),
+                    21 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
+                    22 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
+                    23 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
+                    24 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
+                    25 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
+                    26 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
+                    27 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
+                    28 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
+                    29 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
+                    30 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
+                    31 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
+                    32 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
+                    33 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
+                    34 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
+                    35 => Some(sdo::Slot::U16(&mut self.opmode_request)),
+                    36 => Some(sdo::Slot::I16(&mut self.opmode_message)),
+                    37 => Some(sdo::Slot::I32(&mut self.ascii_data)),
+                    38 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
+                    39 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
+                    40 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
+                    41 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
+                    42 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    43 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    44 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    45 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    46 => Some(sdo::Slot::I32(&mut self.position_demand)),
+                    47 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
+                    48 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
+                    49 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    50 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
+                    51 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    52 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
+                    53 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
+                    54 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
+                    55 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
+                    56 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
+                    57 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
+                    58 => self.interpolation_time_period.slot(place.item),
+                    59 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
+                    60 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
+                    61 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
+                    62 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
+                    63 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager2PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager3PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 12, ..PAGE_17 },
-                Page { ordinal: 53, ..PAGE_1B },
-                Page { ordinal: 91, ..PAGE_1C },
-                Page { ordinal: 128, ..PAGE_20 },
-                Page { ordinal: 207, ..PAGE_23 },
-                Page { ordinal: 228, ..PAGE_35 },
-                Page { ordinal: 229, ..PAGE_36 },
-                Page { ordinal: 232, ..PAGE_60 },
-                Page { ordinal: 255, ..PAGE_65 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_17 },
+                Page { axis: 0, ..PAGE_1B },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_23 },
+                Page { axis: 0, ..PAGE_35 },
+                Page { axis: 0, ..PAGE_36 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -12773,120 +13733,231 @@ pub mod s600 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    7,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_17: [u8; 8] = positions(0x01, &[0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_17: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
+                        0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
+                        0x20,
+                    ],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1B: [u8; 8] = positions(0x01, &[0x01, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08]);
 
         const PAGE_1B: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
+                        0x00, 0xA0, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
+                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(
+                constant(
                     ObjectCode::Array,
-                    5,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
                 ),
                 object(
                     ObjectCode::Array,
-                    7,
+                    0,
+                    8,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
+                    &[],
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
+                    0,
                     9,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
+                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    23,
+                    0,
+                    10,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    11,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 179] =
@@ -12894,47 +13965,71 @@ pub mod s600 {
 
         const PAGE_20: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    1,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    13,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    11,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    15,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    28,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    16,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    45,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    17,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
-                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    63,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    21,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    22,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    24,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[2],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_23: [u8; 86] =
@@ -12942,49 +14037,69 @@ pub mod s600 {
 
         const PAGE_23: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    8,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    33,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
+            axis: 0,
             slots: &SLOTS_35,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                38,
+                &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
+            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
@@ -12997,48 +14112,68 @@ pub mod s600 {
 
         const PAGE_60: Page = Page {
             first: 0x40,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    43,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Record,
-                    16,
+                    0,
+                    58,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                63,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }
@@ -17299,7 +18434,7 @@ pub mod s700 {
     /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
     pub mod dictionary {
         use super::*;
-        use ::devc_runtime::sdo::{Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+        use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
 
         /// Every object whose value can change.
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17759,36 +18894,232 @@ pub mod s700 {
             pub interpolation_time_index: i8,
         }
 
+        impl sdo::Values for Dictionary {
+            const TABLE: &'static sdo::Dictionary = &TABLE;
+
+            fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
+                match place.field {
+                    0 => Some(sdo::Slot::U32(&mut self.device_type)),
+                    1 => Some(sdo::Slot::U8(&mut self.error_register)),
+                    2 => Some(sdo::Slot::I32(&mut self.motion_task_status)),
+                    3 => Some(sdo::Slot::I32(&mut self.drive_errors)),
+                    4 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
+                    5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
+                    6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
+                    7 => self.identity_object.slot(place.item),
+                    8 => self.rx_pdo_1600.slot(place.item),
+                    9 => self.tx_pdo_1a00.slot(place.item),
+                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
+                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    12 => self.sm_output_parameter.slot(place.item),
+                    13 => self.sm_input_parameter.slot(place.item),
+                    14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
+                    15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
+                    16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
+                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
+                    19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
+                    20 => Some(sdo::Slot::I16(&mut self.current_limit)),
+                    21 => self.dprvar_set.get_mut(item).map(sdo::Slot::I32),
+                    22 => Some(sdo::Slot::I32(&mut self.latch_position)),
+                    23 => Some(sdo::Slot::U16(&mut self.latch_controlword.0)),
+                    24 => Some(sdo::Slot::U16(&mut self.latch_statusword.0)),
+                    25 => Some(sdo::Slot::I32(&mut self.digital_software_inputs)),
+                    26 => self.analog_inputs.get_mut(item).map(sdo::Slot::I16),
+                    27 => Some(sdo::Slot::I32(&mut self.jog_velocity)),
+                    28 => Some(sdo::Slot::U16(&mut self.digital_outputs.0)),
+                    29 => Some(sdo::Slot::I32(&mut self.motion_task_control_word)),
+                    30 => Some(sdo::Slot::I16(&mut self.dprvar_1_low)),
+                    31 => Some(sdo::Slot::I16(&mut self.dprvar_2_low)),
+                    32 => Some(sdo::Slot::I16(&mut self.additive_current_setpoint)),
+                    33 => Some(sdo::Slot::I32(&mut self.additive_velocity_setpoint)),
+                    34 => Some(sdo::Slot::I16(&mut self.motion_task_velocity_override)),
+                    35 => self.dprvar_actual_low.get_mut(item).map(sdo::Slot::I16),
+                    36 => Some(sdo::Slot::I32(&mut self.digital_software_outputs)),
+                    37 => Some(sdo::Slot::U16(&mut self.opmode_request)),
+                    38 => Some(sdo::Slot::I16(&mut self.opmode_message)),
+                    39 => Some(sdo::Slot::I32(&mut self.ascii_data)),
+                    40 => Some(sdo::Slot::I32(&mut self.actual_current_value)),
+                    41 => Some(sdo::Slot::I16(&mut self.actual_motor_temperature)),
+                    42 => Some(sdo::Slot::I32(&mut self.actual_velocity_value)),
+                    43 => Some(sdo::Slot::I16(&mut self.bus_voltage)),
+                    44 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    45 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    46 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    47 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    48 => Some(sdo::Slot::I32(&mut self.position_demand)),
+                    49 => Some(sdo::Slot::I32(&mut self.position_actual_value_1)),
+                    50 => Some(sdo::Slot::I32(&mut self.position_in_si_units)),
+                    51 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    52 => Some(sdo::Slot::I16(&mut self.current_setpoint)),
+                    53 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    54 => Some(sdo::Slot::I32(&mut self.motion_task_target_position)),
+                    55 => Some(sdo::Slot::I32(&mut self.motion_task_target_velocity)),
+                    56 => Some(sdo::Slot::I32(&mut self.motion_task_acceleration)),
+                    57 => Some(sdo::Slot::I32(&mut self.motion_task_deceleration)),
+                    58 => Some(sdo::Slot::I32(&mut self.motion_task_profile_number)),
+                    59 => Some(sdo::Slot::I32(&mut self.position_setpoint)),
+                    60 => self.interpolation_time_period.slot(place.item),
+                    61 => Some(sdo::Slot::I32(&mut self.internal_following_error)),
+                    62 => Some(sdo::Slot::I32(&mut self.position_demand_internal_value)),
+                    63 => Some(sdo::Slot::U16(&mut self.digital_io.0)),
+                    64 => Some(sdo::Slot::I32(&mut self.velocity_setpoint)),
+                    65 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl IdentityObject {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
+                    1 => Some(sdo::Slot::U32(&mut self.product_code)),
+                    2 => Some(sdo::Slot::U32(&mut self.revision_number)),
+                    3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl RxPdo1600 {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl TxPdo1a00 {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager2PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SyncManager3PdoAssignment {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
+                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmOutputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SmInputParameter {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
+                    1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
+                    2 => Some(sdo::Slot::U32(&mut self.shift_time)),
+                    3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
+                    4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
+                    5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
+                    6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
+                    7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
+                    8 => Some(sdo::Slot::U32(&mut self.delay_time)),
+                    9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
+                    10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
+                    11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
+                    12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationTimePeriod {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
+                    _ => None,
+                }
+            }
+        }
+
         /// Every entry of the device, to be found by its address.
-        pub static TABLE: ::devc_runtime::sdo::Dictionary = ::devc_runtime::sdo::Dictionary {
+        pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[
-                Page { ordinal: 0, ..PAGE_10 },
-                Page { ordinal: 12, ..PAGE_16 },
-                Page { ordinal: 14, ..PAGE_17 },
-                Page { ordinal: 89, ..PAGE_16 },
-                Page { ordinal: 91, ..PAGE_1B },
-                Page { ordinal: 157, ..PAGE_1C },
-                Page { ordinal: 194, ..PAGE_20 },
-                Page { ordinal: 273, ..PAGE_23 },
-                Page { ordinal: 294, ..PAGE_35 },
-                Page { ordinal: 295, ..PAGE_36 },
-                Page { ordinal: 298, ..PAGE_60 },
-                Page { ordinal: 321, ..PAGE_65 },
+                Page { axis: 0, ..PAGE_10 },
+                Page { axis: 0, ..PAGE_16 },
+                Page { axis: 0, ..PAGE_17 },
+                Page { axis: 0, ..PAGE_1A },
+                Page { axis: 0, ..PAGE_1B },
+                Page { axis: 0, ..PAGE_1C },
+                Page { axis: 0, ..PAGE_20 },
+                Page { axis: 0, ..PAGE_23 },
+                Page { axis: 0, ..PAGE_35 },
+                Page { axis: 0, ..PAGE_36 },
+                Page { axis: 0, ..PAGE_60 },
+                Page { axis: 0, ..PAGE_65 },
             ],
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
 
-        const fn object(code: ObjectCode, ordinal: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-            ObjectInfo { code, entries, ordinal }
+        const fn object(
+            code: ObjectCode,
+            axis: u8,
+            field: u16,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn entry(subindex: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-            EntryInfo { subindex, data_type, bits, access }
+        const fn constant(
+            code: ObjectCode,
+            entries: &'static [EntryInfo],
+            constants: &'static [u8],
+        ) -> ObjectInfo {
+            object(code, 0, 0, entries, constants)
         }
 
+        const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
+            EntryInfo { subindex, item, data_type, bits, access }
+        }
+
+        const CONSTANT: u8 = EntryInfo::CONSTANT;
         const RO: Access = Access::READ;
         const WO: Access = Access::WRITE;
         const RW: Access = RO.and(WO);
@@ -17802,31 +19133,39 @@ pub mod s700 {
 
         const PAGE_10: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::VISIBLE_STRING, 32, RO)]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::VISIBLE_STRING, 64, RO)]),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    7,
+                    &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
+                    &[4],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_16: [u8; 1] = positions(0x00, &[0x00]);
 
         const PAGE_16: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_16,
             objects: &[object(
                 ObjectCode::Record,
                 0,
-                &[entry(0, DataType::UNSIGNED8, 8, RW), entry(1, DataType::UNSIGNED32, 32, RW)],
+                8,
+                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &[],
             )],
-            ordinal: 0,
         };
 
         const SLOTS_17: [u8; 20] =
@@ -17834,23 +19173,119 @@ pub mod s700 {
 
         const PAGE_17: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_17,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 6, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 9, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 15, &const { EntryInfo::list::<6>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 21, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 26, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 33, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 41, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 45, &const { EntryInfo::list::<9>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 54, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 61, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 68, &const { EntryInfo::list::<7>(DataType::UNSIGNED32, 32, RO) }),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
+                        0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x03, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x08, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00, 0x03, 0x23, 0x20,
+                        0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10, 0x00, 0x86, 0x60, 0x10, 0x00, 0x40,
+                        0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
+                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x06, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03, 0x90, 0x20, 0x20,
+                        0x04, 0x90, 0x20, 0x20, 0x05, 0x90, 0x20, 0x20, 0x06, 0x90, 0x20,
+                    ],
+                ),
             ],
-            ordinal: 0,
+        };
+
+        const SLOTS_1A: [u8; 1] = positions(0x00, &[0x00]);
+
+        const PAGE_1A: Page = Page {
+            first: 0x00,
+            axis: 0,
+            slots: &SLOTS_1A,
+            objects: &[object(
+                ObjectCode::Record,
+                0,
+                9,
+                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &[],
+            )],
         };
 
         const SLOTS_1B: [u8; 12] =
@@ -17858,95 +19293,168 @@ pub mod s700 {
 
         const PAGE_1B: Page = Page {
             first: 0x01,
+            axis: 0,
             slots: &SLOTS_1B,
             objects: &[
-                object(ObjectCode::Record, 0, &const { EntryInfo::list::<3>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 3, &const { EntryInfo::list::<4>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 7, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 12, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 17, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 22, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 30, &const { EntryInfo::list::<8>(DataType::UNSIGNED32, 32, RO) }),
-                object(ObjectCode::Record, 38, &const { EntryInfo::list::<5>(DataType::UNSIGNED32, 32, RO) }),
-                object(
+                constant(
                     ObjectCode::Record,
-                    43,
-                    &const { EntryInfo::list::<13>(DataType::UNSIGNED32, 32, RO) },
+                    &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
                 ),
-                object(
+                constant(
                     ObjectCode::Record,
-                    56,
-                    &const { EntryInfo::list::<10>(DataType::UNSIGNED32, 32, RO) },
+                    &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x41, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
+                        0x00, 0xA0, 0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
+                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
+                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
+                        0x20,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
+                        0x00, 0xFD, 0x60,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<13>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x0C, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x20, 0x00, 0x6C, 0x60, 0x10,
+                        0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20, 0x00, 0x03, 0x10, 0x20, 0x00, 0x00,
+                        0x20, 0x20, 0x00, 0xFD, 0x60, 0x10, 0x01, 0xB2, 0x20, 0x10, 0x02, 0xB2, 0x20, 0x20,
+                        0x00, 0xF4, 0x60, 0x20, 0x00, 0x02, 0x10,
+                    ],
+                ),
+                constant(
+                    ObjectCode::Record,
+                    &const { EntryInfo::list::<10>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
+                    &[
+                        0x09, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
+                        0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20, 0x20, 0x03, 0x30, 0x20, 0x10, 0x04, 0x50,
+                        0x23, 0x10, 0x05, 0x50, 0x23, 0x20, 0x06, 0x30, 0x20,
+                    ],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_1C: [u8; 52] = positions(0x00, &[0x00, 0x12, 0x13, 0x32, 0x33]);
 
         const PAGE_1C: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_1C,
             objects: &[
-                object(ObjectCode::Array, 0, &const { EntryInfo::list::<5>(DataType::UNSIGNED8, 8, RO) }),
-                object(
+                constant(
                     ObjectCode::Array,
-                    5,
-                    &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
+                    &[0x04, 0x01, 0x02, 0x03, 0x04],
                 ),
                 object(
                     ObjectCode::Array,
-                    7,
+                    0,
+                    10,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    11,
+                    &[
+                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
+                    ],
+                    &[],
                 ),
                 object(
                     ObjectCode::Record,
-                    9,
+                    0,
+                    12,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RO),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RO),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
                 ),
                 object(
                     ObjectCode::Record,
-                    23,
+                    0,
+                    13,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED16, 16, RW),
-                        entry(2, DataType::UNSIGNED32, 32, RW),
-                        entry(3, DataType::UNSIGNED32, 32, RW),
-                        entry(4, DataType::UNSIGNED16, 16, RO),
-                        entry(5, DataType::UNSIGNED32, 32, RO),
-                        entry(6, DataType::UNSIGNED32, 32, RO),
-                        entry(7, DataType::UNSIGNED32, 32, RO),
-                        entry(8, DataType::UNSIGNED16, 16, RW),
-                        entry(9, DataType::UNSIGNED32, 32, RO),
-                        entry(10, DataType::UNSIGNED32, 32, RW),
-                        entry(11, DataType::UNSIGNED16, 16, RO),
-                        entry(12, DataType::UNSIGNED16, 16, RO),
-                        entry(32, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED16, 16, RW),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED32, 32, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RO),
+                        entry(5, 4, DataType::UNSIGNED32, 32, RO),
+                        entry(6, 5, DataType::UNSIGNED32, 32, RO),
+                        entry(7, 6, DataType::UNSIGNED32, 32, RO),
+                        entry(8, 7, DataType::UNSIGNED16, 16, RW),
+                        entry(9, 8, DataType::UNSIGNED32, 32, RO),
+                        entry(10, 9, DataType::UNSIGNED32, 32, RW),
+                        entry(11, 10, DataType::UNSIGNED16, 16, RO),
+                        entry(12, 11, DataType::UNSIGNED16, 16, RO),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
+                    &[32],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_20: [u8; 179] =
@@ -17954,47 +19462,71 @@ pub mod s700 {
 
         const PAGE_20: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    1,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RO.and(TX)) },
+                    0,
+                    15,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
                 object(
                     ObjectCode::Array,
-                    11,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    17,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    28,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    18,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
                 object(
                     ObjectCode::Array,
-                    45,
-                    &const { EntryInfo::list::<17>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    19,
+                    &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[16],
                 ),
-                object(ObjectCode::Variable, 62, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    63,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER32, 32, RW.and(RX)) },
+                    0,
+                    21,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 72, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 73, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 74, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 75, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    23,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    24,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    76,
-                    &const { EntryInfo::list::<3>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    26,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[2],
                 ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_23: [u8; 86] =
@@ -18002,49 +19534,69 @@ pub mod s700 {
 
         const PAGE_23: Page = Page {
             first: 0x00,
+            axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Array,
-                    8,
-                    &const { EntryInfo::list::<9>(DataType::INTEGER16, 16, RO.and(TX)) },
+                    0,
+                    35,
+                    &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
+                    &[8],
                 ),
-                object(ObjectCode::Variable, 17, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 18, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RW.and(RX).and(TX))]),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    &[],
+                ),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_35: [u8; 1] = positions(0x70, &[0x70]);
 
         const PAGE_35: Page = Page {
             first: 0x70,
+            axis: 0,
             slots: &SLOTS_35,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                40,
+                &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
+                &[],
+            )],
         };
 
         const SLOTS_36: [u8; 9] = positions(0x12, &[0x12, 0x18, 0x1A]);
 
         const PAGE_36: Page = Page {
             first: 0x12,
+            axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_60: [u8; 192] = positions(
@@ -18057,48 +19609,68 @@ pub mod s700 {
 
         const PAGE_60: Page = Page {
             first: 0x40,
+            axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 1, &[entry(0, DataType::UNSIGNED16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 2, &[entry(0, DataType::INTEGER8, 8, RW.and(RX))]),
-                object(ObjectCode::Variable, 3, &[entry(0, DataType::INTEGER8, 8, RO.and(TX))]),
-                object(ObjectCode::Variable, 4, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 5, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 6, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 7, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 8, &[entry(0, DataType::INTEGER16, 16, RW.and(RX))]),
-                object(ObjectCode::Variable, 9, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 10, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 11, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 12, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 13, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 14, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
-                object(ObjectCode::Variable, 15, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
+                    &[],
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
+                    &[],
+                ),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
                 object(
                     ObjectCode::Record,
-                    16,
+                    0,
+                    60,
                     &[
-                        entry(0, DataType::UNSIGNED8, 8, RO),
-                        entry(1, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
+                    &[2],
                 ),
-                object(ObjectCode::Variable, 19, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 20, &[entry(0, DataType::INTEGER32, 32, RO.and(TX))]),
-                object(ObjectCode::Variable, 21, &[entry(0, DataType::INTEGER16, 16, RO.and(TX))]),
-                object(ObjectCode::Variable, 22, &[entry(0, DataType::INTEGER32, 32, RW.and(RX))]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
             ],
-            ordinal: 0,
         };
 
         const SLOTS_65: [u8; 1] = positions(0x02, &[0x02]);
 
         const PAGE_65: Page = Page {
             first: 0x02,
+            axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, &[entry(0, DataType::UNSIGNED32, 32, RO)])],
-            ordinal: 0,
+            objects: &[object(
+                ObjectCode::Variable,
+                0,
+                65,
+                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
+                &[],
+            )],
         };
     }
 }
