@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | [`object`] | addresses, wire values, typed entries | CiA 301, object dictionary |
 //! | [`sdo`] | abort codes, access rights, the table that answers for an address | CiA 301, SDO; ETG.1000.6, CoE |
+//! | [`coe`] | the mailbox: its messages, and a device's answers | ETG.1000.4, mailbox; ETG.1000.6, CoE |
 //! | [`pdo`] | what all process data structs have in common | CiA 301, PDO |
 //! | [`cia402`] | states, words, commands, transitions, modes | CiA 402, IEC 61800-7-201 |
 //! | [`error`] | error codes with name, register and text | CiA 301, emergency; CiA 402, error code |
@@ -18,6 +19,7 @@
 
 pub mod bytes;
 pub mod cia402;
+pub mod coe;
 mod device;
 pub mod error;
 pub mod object;

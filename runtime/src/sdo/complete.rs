@@ -18,21 +18,46 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         part: &mut Part<'_>,
     ) -> Result<(), AbortCode> {
-        let object = whole::<V>(from)?;
-        let mut scratch = Scratch::default();
-        for entry in entries(object, from.subindex, u8::MAX) {
+        if part.is_first() {
+            self.prepare_complete(from, state)?;
+        }
+        self.fill_complete(from, state, part)
+    }
+
+    /// Lets the firmware compute the entries that are going to be read.
+    pub(crate) fn prepare_complete(
+        &mut self,
+        from: Address,
+        state: CommunicationState,
+    ) -> Result<(), AbortCode> {
+        for entry in entries(whole::<V>(from)?, from.subindex, u8::MAX) {
             if entry.subindex > 0 && entry.subindex > self.count(from.index)? {
                 break;
             }
-            let (address, before) = (Address::new(from.index, entry.subindex), part.total());
             if entry.access.check_read(state).is_ok() {
-                if part.is_first() {
-                    self.hooks.before_upload(&mut self.values, address)?;
-                }
-                let found = V::TABLE.find(address)?;
-                part.put(self.value(found, &mut scratch)?);
+                let address = Address::new(from.index, entry.subindex);
+                self.hooks.before_upload(&mut self.values, address)?;
             }
-            while part.total() < before.saturating_add(width(entry)) {
+        }
+        Ok(())
+    }
+
+    /// Reads a part of an object as it is.
+    pub(crate) fn fill_complete(
+        &mut self,
+        from: Address,
+        state: CommunicationState,
+        part: &mut Part<'_>,
+    ) -> Result<(), AbortCode> {
+        let object = whole::<V>(from)?;
+        let count = self.count(from.index)?;
+        for entry in entries(object, from.subindex, count) {
+            let end = part.total().saturating_add(width(entry));
+            if entry.access.check_read(state).is_ok() {
+                let found = V::TABLE.find(Address::new(from.index, entry.subindex))?;
+                part.put(self.value(found, &mut Scratch::default())?);
+            }
+            while part.total() < end {
                 part.put(&[0]);
             }
         }

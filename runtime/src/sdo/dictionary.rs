@@ -109,6 +109,15 @@ impl Dictionary {
         })
     }
 
+    /// The position of the page of an object, and of the object on it.
+    pub(super) fn position(&self, index: u16) -> Option<(usize, usize)> {
+        let [high, low] = index.to_be_bytes();
+        let page = self.directory.get(usize::from(high))?;
+        let slots = self.pages.get(usize::from(*page))?;
+        let object = slots.slots.get(usize::from(low.wrapping_sub(slots.first)))?;
+        Some(((*page).into(), (*object).into()))
+    }
+
     #[inline]
     fn page_and_object(&self, index: u16) -> Option<(&'static Page, &'static ObjectInfo)> {
         let [high, low] = index.to_be_bytes();

@@ -42,11 +42,27 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         part: &mut Part<'_>,
     ) -> Result<(), AbortCode> {
+        if part.is_first() {
+            self.prepare(address, state)?;
+        }
+        self.fill(address, state, part)
+    }
+
+    /// Lets the firmware compute an entry that is going to be read.
+    pub(crate) fn prepare(&mut self, address: Address, state: CommunicationState) -> Result<(), AbortCode> {
+        V::TABLE.find(address)?.entry.access.check_read(state)?;
+        self.hooks.before_upload(&mut self.values, address)
+    }
+
+    /// Reads a part of an entry as it is.
+    pub(crate) fn fill(
+        &mut self,
+        address: Address,
+        state: CommunicationState,
+        part: &mut Part<'_>,
+    ) -> Result<(), AbortCode> {
         let found = V::TABLE.find(address)?;
         found.entry.access.check_read(state)?;
-        if part.is_first() {
-            self.hooks.before_upload(&mut self.values, address)?;
-        }
         part.put(self.value(found, &mut Scratch::default())?);
         Ok(())
     }
@@ -62,6 +78,18 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         found.entry.access.check_write(state)?;
         check::<V>(found, data)?;
         self.write(found, address, data)
+    }
+
+    /// Whether data of this length may be written to an entry at all, in bytes.
+    pub(crate) fn expect_download(
+        &self,
+        address: Address,
+        state: CommunicationState,
+        length: usize,
+    ) -> Result<(), AbortCode> {
+        let found = V::TABLE.find(address)?;
+        found.entry.access.check_write(state)?;
+        if length > usize::from(found.entry.bytes()) { Err(AbortCode::LENGTH_TOO_HIGH) } else { Ok(()) }
     }
 
     /// Writes what the table allows, if the firmware allows it.

@@ -1,8 +1,14 @@
-//! The SDO server over a small dictionary: what is checked, in which order, and what a firmware can do.
+//! The SDO server and the CoE mailbox over a small dictionary: what is checked, in which order, what a firmware can do,
+//! and what goes over the wire.
 
 #![cfg(test)]
 
 mod complete;
 mod device;
 mod hooks;
+mod information;
+mod master;
+mod messages;
+mod served;
 mod single;
+mod wire;

@@ -3,6 +3,10 @@
 use std::collections::BTreeMap;
 
 use devc::model::{Field, Telegram};
+use devc_generated::s700::s700::dictionary::Dictionary;
+use devc_runtime::coe::{Envelope, Mailbox, Request, Service};
+use devc_runtime::object::Address;
+use devc_runtime::sdo::{CommunicationState, Server};
 use devc_tests::manual::s700;
 
 use crate::{departs, family, number, rows};
@@ -137,4 +141,33 @@ fn the_example_names_an_entry_and_a_mapping() {
         lengths.into_iter().filter(|(telegram, _)| value(telegram, "length") != 16 - 6),
         [(("answer", 14), "counted from byte 2, where the request counts what follows the head")],
     );
+}
+
+/// The bytes of the example as printed.
+fn printed(telegram: &str) -> Vec<u8> {
+    rows::<s700::MailboxByte>().iter().filter(|row| row.telegram == telegram).map(|row| row.value).collect()
+}
+
+#[test]
+fn the_example_is_what_the_codec_makes_of_it_but_for_two_errors() {
+    let address = Address::new(0x1C12, 1);
+    let value = 0x1704_u16.to_le_bytes();
+    let asked = Request::Download { address, is_complete: false, size: Some(2), data: &value };
+    let mut request = [0xAA; 16];
+    assert_eq!(asked.encode(Envelope::new(Service::SDO_REQUEST), &mut request), Ok(16));
+    let mut mailbox: Mailbox<Dictionary> = Mailbox::new(Server::new(Dictionary::DEFAULT, ()));
+    let mut answer = [0xAA; 16];
+    assert_eq!(mailbox.answer(&request, CommunicationState::PreOperational, &mut answer), 16);
+    let made =
+        request.iter().map(|byte| ("request", *byte)).chain(answer.iter().map(|byte| ("answer", *byte)));
+    let all = ["request", "answer"].map(printed).concat();
+    let other = made.zip(all).zip((0..16).cycle()).filter(|(((_, made), printed), _)| made != printed);
+    departs(
+        other.map(|(((telegram, made), printed), byte)| (telegram, byte, printed, made)),
+        [
+            (("answer", 0, 0x0E, 0x0A), "the length counts what follows the six bytes of the header"),
+            (("answer", 7, 0x20, 0x30), "0x20 is a request; an answer is 0x30"),
+        ],
+    );
+    assert_eq!(mailbox.server.values.sync_manager_2_pdo_assignment.entry_1, 0x1704);
 }

@@ -1,0 +1,124 @@
+//! The device's side of the mailbox: a message in, the answer out.
+
+use super::envelope::{Envelope, MailboxError, Malformed, Service};
+use super::request::{Request, entry};
+use super::transfer::Transfer;
+use super::{Emergency, Response};
+use crate::object::Address;
+use crate::sdo::{AbortCode, CommunicationState, Hooks, Names, Server, Values};
+
+/// The mailbox of a device, which serves its dictionary.
+///
+/// What a master wrote into the mailbox goes through [`Mailbox::answer`]; what comes out is for the master to read.
+/// Between two messages it keeps what is under way: a transfer in segments, and what is left of a list.
+///
+/// Values longer than the mailbox are uploaded in segments from where they are kept. To take a value in segments, or an
+/// object as a whole, it has to be put together first: `BUFFER` is the longest in bytes, and 0 where everything that
+/// can be written fits the mailbox.
+#[derive(Debug, Clone)]
+pub struct Mailbox<V, H = (), const BUFFER: usize = 0> {
+    /// The dictionary.
+    pub server: Server<V, H>,
+    pub(super) names: Option<&'static Names>,
+    pub(super) transfer: Transfer,
+    pub(super) buffer: [u8; BUFFER],
+    counter: u8,
+}
+
+/// Why an SDO request is not answered as it would like: aborted at an entry, or beyond what a message can say.
+pub(super) enum Refusal {
+    Abort(Address, AbortCode),
+    Message(Malformed),
+}
+
+impl From<Malformed> for Refusal {
+    fn from(malformed: Malformed) -> Self {
+        Self::Message(malformed)
+    }
+}
+
+impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
+    /// A mailbox that serves values, and tells nothing of the dictionary itself.
+    pub const fn new(server: Server<V, H>) -> Self {
+        Self { server, names: None, transfer: Transfer::None, buffer: [0; BUFFER], counter: 0 }
+    }
+
+    /// A mailbox that also tells what is in the dictionary, with these names.
+    pub const fn with_information(server: Server<V, H>, names: &'static Names) -> Self {
+        Self { server, names: Some(names), transfer: Transfer::None, buffer: [0; BUFFER], counter: 0 }
+    }
+
+    /// Answers a message: writes the answer and tells its length, 0 if there is none. `answer` is the master's side of
+    /// the mailbox, as long as its sync manager says, at least 16 bytes.
+    pub fn answer(&mut self, message: &[u8], state: CommunicationState, answer: &mut [u8]) -> usize {
+        let written = match Envelope::open(message) {
+            Ok((asked, body)) => self.serve(asked, body, state, answer),
+            Err(malformed) => Err(malformed),
+        };
+        written.unwrap_or_else(|malformed| {
+            let counter = self.count();
+            MailboxError::from(malformed).encode(counter, answer).unwrap_or(0)
+        })
+    }
+
+    /// What an answer goes on with, once the master has read what came before: the next piece of a list. Its length is
+    /// 0 if nothing is left.
+    pub fn proceed(&mut self, answer: &mut [u8]) -> usize {
+        let envelope = Envelope { counter: self.count(), ..Envelope::new(Service::SDO_INFORMATION) };
+        self.list_piece(envelope, answer).unwrap_or(0)
+    }
+
+    /// Writes an emergency message and tells its length.
+    pub fn emergency(&mut self, emergency: &Emergency, answer: &mut [u8]) -> usize {
+        let envelope = Envelope { counter: self.count(), ..Envelope::new(Service::EMERGENCY) };
+        emergency.encode(envelope, answer).unwrap_or(0)
+    }
+
+    fn serve(
+        &mut self,
+        asked: Envelope,
+        body: &[u8],
+        state: CommunicationState,
+        answer: &mut [u8],
+    ) -> Result<usize, Malformed> {
+        // a master that does not count gets answers that are not counted
+        let counter = if asked.counter == 0 { 0 } else { self.count() };
+        let envelope = Envelope { counter, number: 0, ..asked };
+        match asked.service {
+            Service::SDO_REQUEST => self.sdo(envelope, body, state, answer),
+            Service::SDO_INFORMATION => self.information(envelope, body, answer),
+            Service(other) => Err(Malformed::UnknownCommand(other)),
+        }
+    }
+
+    fn sdo(
+        &mut self,
+        envelope: Envelope,
+        body: &[u8],
+        state: CommunicationState,
+        answer: &mut [u8],
+    ) -> Result<usize, Malformed> {
+        let refusal = match Request::decode(body) {
+            Ok(request) => match self.transfer(request, state, envelope, answer) {
+                Ok(length) => return Ok(length),
+                Err(refusal) => refusal,
+            },
+            Err(Malformed::UnknownCommand(_)) => {
+                let rest = body.get(1..).unwrap_or_default();
+                Refusal::Abort(entry(rest)?.0, AbortCode::UNKNOWN_COMMAND_SPECIFIER)
+            }
+            Err(malformed) => Refusal::Message(malformed),
+        };
+        self.transfer = Transfer::None;
+        match refusal {
+            Refusal::Abort(address, code) => Response::Abort { address, code }.encode(envelope, answer),
+            Refusal::Message(malformed) => Err(malformed),
+        }
+    }
+
+    /// The number of the next message: 1 to 7 in turn.
+    fn count(&mut self) -> u8 {
+        self.counter = if self.counter >= 7 { 1 } else { self.counter.saturating_add(1) };
+        self.counter
+    }
+}
