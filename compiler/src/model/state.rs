@@ -162,6 +162,25 @@ model! {
     }
 }
 
+impl State {
+    /// The ids of the states of CiA 402.
+    pub const OF_PROFILE: &[&str] = &[
+        "not-ready-to-switch-on",
+        "switch-on-disabled",
+        "ready-to-switch-on",
+        "switched-on",
+        "operation-enabled",
+        "quick-stop-active",
+        "fault-reaction-active",
+        "fault",
+    ];
+
+    /// Whether it is one of the states of CiA 402.
+    pub fn is_of_profile(&self) -> bool {
+        Self::OF_PROFILE.contains(&self.id.as_str())
+    }
+}
+
 impl Event {
     /// Its name for people.
     pub fn name(self) -> &'static str {

@@ -8,18 +8,6 @@ use super::names::camel;
 use super::scope::Scope;
 use crate::model::{Device, Scope as Axes, State, Transition};
 
-/// The states of the profile, by the ids that descriptions use.
-const KNOWN: &[&str] = &[
-    "not-ready-to-switch-on",
-    "switch-on-disabled",
-    "ready-to-switch-on",
-    "switched-on",
-    "operation-enabled",
-    "quick-stop-active",
-    "fault-reaction-active",
-    "fault",
-];
-
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let device = scope.device;
     let patterns = (!device.states.is_empty()).then(|| patterns(device));
@@ -29,7 +17,7 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
 
 /// The runtime's name of a state.
 pub(super) fn state(id: &str) -> Option<Ident> {
-    KNOWN.contains(&id).then(|| camel(id))
+    State::OF_PROFILE.contains(&id).then(|| camel(id))
 }
 
 fn patterns(device: &Device) -> TokenStream {

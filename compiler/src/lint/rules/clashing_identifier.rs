@@ -11,16 +11,16 @@ rule! {
     ///
     /// ## Fires
     /// ```toml
-    /// [states]
-    /// "stand-by" = { name = "Stand-by", pattern = "0" }
-    /// "stand_by" = { name = "Ready", pattern = "1" }
+    /// [commands]
+    /// "stand-by" = { name = "Stand-by", pattern = "x0" }
+    /// "stand_by" = { name = "Ready", pattern = "x1" }
     /// ```
     ///
     /// ## Silent
     /// ```toml
-    /// [states]
-    /// "stand-by" = { name = "Stand-by", pattern = "0" }
-    /// "ready" = { name = "Ready", pattern = "1" }
+    /// [commands]
+    /// "stand-by" = { name = "Stand-by", pattern = "x0" }
+    /// "ready" = { name = "Ready", pattern = "x1" }
     /// ```
     pub(super) static RULE = "clashing-identifier", Output, Warning, "two ids make one identifier in Rust";
 }

@@ -9,11 +9,11 @@ rule! {
     /// ## Fires
     /// ```toml
     /// [states]
-    /// on = { name = "On", pattern = "1" }
+    /// switched-on = { name = "On", pattern = "1" }
     /// fault = { name = "Fault", pattern = "0" }
     ///
     /// [transitions.13]
-    /// from = "on"
+    /// from = "switched-on"
     /// to = "fault"
     /// automatic = true
     /// pattern = "xxxx 1111"
@@ -22,11 +22,11 @@ rule! {
     /// ## Silent
     /// ```toml
     /// [states]
-    /// on = { name = "On", pattern = "1" }
+    /// switched-on = { name = "On", pattern = "1" }
     /// fault = { name = "Fault", pattern = "0" }
     ///
     /// [transitions.13]
-    /// from = "on"
+    /// from = "switched-on"
     /// to = "fault"
     /// automatic = true
     /// ```

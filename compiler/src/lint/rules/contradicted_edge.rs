@@ -9,11 +9,11 @@ rule! {
     /// ## Fires
     /// ```toml
     /// [states]
-    /// ready = { name = "Ready" }
-    /// on = { name = "On" }
+    /// ready-to-switch-on = { name = "Ready" }
+    /// switched-on = { name = "On" }
     ///
     /// [transitions]
-    /// 1 = { from = "ready", to = "on", pattern = "xxxx x11r" }
+    /// 1 = { from = "ready-to-switch-on", to = "switched-on", pattern = "xxxx x11r" }
     ///
     /// [commands]
     /// start = { name = "Start", pattern = "xxxx x110", transitions = [1] }
@@ -22,11 +22,11 @@ rule! {
     /// ## Silent
     /// ```toml
     /// [states]
-    /// ready = { name = "Ready" }
-    /// on = { name = "On" }
+    /// ready-to-switch-on = { name = "Ready" }
+    /// switched-on = { name = "On" }
     ///
     /// [transitions]
-    /// 1 = { from = "ready", to = "on", pattern = "xxxx x11r" }
+    /// 1 = { from = "ready-to-switch-on", to = "switched-on", pattern = "xxxx x11r" }
     ///
     /// [commands]
     /// start = { name = "Start", pattern = "xxxx x111", transitions = [1] }

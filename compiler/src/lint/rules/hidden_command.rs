@@ -12,13 +12,13 @@ rule! {
     /// ## Fires
     /// ```toml
     /// [states]
-    /// ready = { name = "Ready" }
-    /// on = { name = "On" }
-    /// off = { name = "Off" }
+    /// ready-to-switch-on = { name = "Ready" }
+    /// switched-on = { name = "On" }
+    /// switch-on-disabled = { name = "Off" }
     ///
     /// [transitions]
-    /// 1 = { from = "ready", to = "on" }
-    /// 2 = { from = "ready", to = "off" }
+    /// 1 = { from = "ready-to-switch-on", to = "switched-on" }
+    /// 2 = { from = "ready-to-switch-on", to = "switch-on-disabled" }
     ///
     /// [commands]
     /// start = { name = "Start", pattern = "xx11", transitions = [1] }
@@ -28,13 +28,13 @@ rule! {
     /// ## Silent
     /// ```toml
     /// [states]
-    /// ready = { name = "Ready" }
-    /// on = { name = "On" }
-    /// off = { name = "Off" }
+    /// ready-to-switch-on = { name = "Ready" }
+    /// switched-on = { name = "On" }
+    /// switch-on-disabled = { name = "Off" }
     ///
     /// [transitions]
-    /// 1 = { from = "ready", to = "on" }
-    /// 2 = { from = "on", to = "off" }
+    /// 1 = { from = "ready-to-switch-on", to = "switched-on" }
+    /// 2 = { from = "switched-on", to = "switch-on-disabled" }
     ///
     /// [commands]
     /// start = { name = "Start", pattern = "xx11", transitions = [1] }

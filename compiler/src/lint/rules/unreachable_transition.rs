@@ -9,12 +9,12 @@ rule! {
     /// ## Fires
     /// ```toml
     /// [states]
-    /// ready = { name = "Ready" }
-    /// on = { name = "On" }
+    /// ready-to-switch-on = { name = "Ready" }
+    /// switched-on = { name = "On" }
     ///
     /// [transitions]
-    /// 1 = { from = "ready", to = "on" }
-    /// 2 = { from = "on", to = "ready" }
+    /// 1 = { from = "ready-to-switch-on", to = "switched-on" }
+    /// 2 = { from = "switched-on", to = "ready-to-switch-on" }
     ///
     /// [commands]
     /// start = { name = "Start", pattern = "xx11", transitions = [1] }
@@ -23,12 +23,12 @@ rule! {
     /// ## Silent
     /// ```toml
     /// [states]
-    /// ready = { name = "Ready" }
-    /// on = { name = "On" }
+    /// ready-to-switch-on = { name = "Ready" }
+    /// switched-on = { name = "On" }
     ///
     /// [transitions]
-    /// 1 = { from = "ready", to = "on" }
-    /// 2 = { from = "on", to = "ready", causes = ["The emergency stop is pressed."] }
+    /// 1 = { from = "ready-to-switch-on", to = "switched-on" }
+    /// 2 = { from = "switched-on", to = "ready-to-switch-on", causes = ["The emergency stop is pressed."] }
     ///
     /// [commands]
     /// start = { name = "Start", pattern = "xx11", transitions = [1] }
