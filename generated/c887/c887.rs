@@ -3641,4 +3641,101 @@ pub mod dictionary {
         slots: &SLOTS_67,
         objects: &[object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[])],
     };
+
+    /// The name of every object and entry, for a firmware that tells what is in its dictionary.
+    pub static NAMES: sdo::Names = sdo::Names {
+        pages: &[
+            NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_50, NAMES_60, NAMES_65, NAMES_67, NAMES_60,
+            NAMES_65, NAMES_67, NAMES_60, NAMES_65, NAMES_67, NAMES_60, NAMES_65, NAMES_67, NAMES_60,
+            NAMES_65, NAMES_67, NAMES_60, NAMES_65, NAMES_67,
+        ],
+    };
+
+    const NAMES_10: &[&str] = &[
+        "Device type", "Error register", "Manufacturer device name", "Manufacturer hardware version",
+        "Manufacturer software version", "Identity object", "Highest subindex supported", "Vendor ID",
+        "Product code", "Revision number", "Serial number",
+    ];
+
+    const NAMES_16: &[&str] = &[
+        "RxPDO - CSP", "Highest subindex supported", "Controlword", "Modes of operation", "Target position",
+        "RxPDO - PP", "Highest subindex supported", "Controlword", "Modes of operation", "Target position",
+        "Profile velocity", "Profile acceleration", "RxPDO - CSP", "Highest subindex supported",
+        "Controlword", "Modes of operation", "Target position", "RxPDO - PP", "Highest subindex supported",
+        "Controlword", "Modes of operation", "Target position", "Profile velocity", "Profile acceleration",
+        "RxPDO - CSP", "Highest subindex supported", "Controlword", "Modes of operation", "Target position",
+        "RxPDO - PP", "Highest subindex supported", "Controlword", "Modes of operation", "Target position",
+        "Profile velocity", "Profile acceleration", "RxPDO - CSP", "Highest subindex supported",
+        "Controlword", "Modes of operation", "Target position", "RxPDO - PP", "Highest subindex supported",
+        "Controlword", "Modes of operation", "Target position", "Profile velocity", "Profile acceleration",
+        "RxPDO - CSP", "Highest subindex supported", "Controlword", "Modes of operation", "Target position",
+        "RxPDO - PP", "Highest subindex supported", "Controlword", "Modes of operation", "Target position",
+        "Profile velocity", "Profile acceleration", "RxPDO - CSP", "Highest subindex supported",
+        "Controlword", "Modes of operation", "Target position", "RxPDO - PP", "Highest subindex supported",
+        "Controlword", "Modes of operation", "Target position", "Profile velocity", "Profile acceleration",
+    ];
+
+    const NAMES_1A: &[&str] = &[
+        "TxPDO - CSP", "Highest subindex supported", "Statusword", "Modes of operation display",
+        "Position actual value", "Following error actual value", "TxPDO - PP", "Highest subindex supported",
+        "Statusword", "Modes of operation display", "Position actual value", "TxPDO - CSP",
+        "Highest subindex supported", "Statusword", "Modes of operation display", "Position actual value",
+        "Following error actual value", "TxPDO - PP", "Highest subindex supported", "Statusword",
+        "Modes of operation display", "Position actual value", "TxPDO - CSP", "Highest subindex supported",
+        "Statusword", "Modes of operation display", "Position actual value", "Following error actual value",
+        "TxPDO - PP", "Highest subindex supported", "Statusword", "Modes of operation display",
+        "Position actual value", "TxPDO - CSP", "Highest subindex supported", "Statusword",
+        "Modes of operation display", "Position actual value", "Following error actual value", "TxPDO - PP",
+        "Highest subindex supported", "Statusword", "Modes of operation display", "Position actual value",
+        "TxPDO - CSP", "Highest subindex supported", "Statusword", "Modes of operation display",
+        "Position actual value", "Following error actual value", "TxPDO - PP", "Highest subindex supported",
+        "Statusword", "Modes of operation display", "Position actual value", "TxPDO - CSP",
+        "Highest subindex supported", "Statusword", "Modes of operation display", "Position actual value",
+        "Following error actual value", "TxPDO - PP", "Highest subindex supported", "Statusword",
+        "Modes of operation display", "Position actual value",
+    ];
+
+    const NAMES_1C: &[&str] = &[
+        "Sync Manager communication types", "Highest subindex supported", "SubIndex 001", "SubIndex 002",
+        "SubIndex 003", "SubIndex 004", "Sync Manager 0 PDO assignment", "Highest subindex supported",
+        "Sync Manager 1 PDO assignment", "Highest subindex supported", "Sync Manager 2 PDO assignment",
+        "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
+        "SubIndex 005", "SubIndex 006", "SubIndex 007", "Sync Manager 3 PDO assignment",
+        "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
+        "SubIndex 005", "SubIndex 006", "Configuration DC modus", "Highest subindex supported",
+        "Synchronization type", "Cycle time", "Shift time", "Synchronization types supported",
+        "Minimum cycle time", "Calc and copy time", "Minimum delay time", "Get cycle time", "Delay time",
+        "Sync0 cycle time", "SM event missed", "Cycle time too small", "Sync error",
+        "Configuration DC modus", "Highest subindex supported", "Synchronization type", "Cycle time",
+        "Shift time", "Synchronization types supported", "Minimum cycle time", "Calc and copy time",
+        "Minimum delay time", "Get cycle time", "Delay time", "Sync0 cycle time", "SM event missed",
+        "Cycle time too small", "Sync error",
+    ];
+
+    const NAMES_50: &[&str] = &[
+        "Work coordinate system", "Highest subindex supported", "Axis X", "Axis Y", "Axis Z", "Axis U",
+        "Axis V", "Axis W", "Tool coordinate system", "Highest subindex supported", "Axis X", "Axis Y",
+        "Axis Z", "Axis U", "Axis V", "Axis W", "Motor homing method", "Highest subindex supported",
+        "Axis 1", "Axis 2", "Axis 3", "Axis 4", "Axis 5", "Axis 6", "Software version",
+        "Highest subindex supported", "GCSFW", "DSPFW", "FPGAFW", "IMAGEVER", "Buffered parameters",
+        "Highest subindex supported", "Work coordinates", "Tool coordinates",
+        "Direction for Travelrange Calculation", "Reset ErrorCode", "Direction for Travelrange",
+        "Highest subindex supported", "Axis X", "Axis Y", "Axis Z", "Axis U", "Axis V", "Axis W",
+        "Available Travelrange", "Highest subindex supported", "Axis X", "Axis Y", "Axis Z", "Axis U",
+        "Axis V", "Axis W", "Debug Information", "Highest subindex supported", "Hexapod State", "Reserved",
+        "Maximum Velocity and Acceleration", "Highest subindex supported", "Translational Velocity",
+        "Rotational Velocity", "Translational Acceleration", "Rotational Acceleration",
+    ];
+
+    const NAMES_60: &[&str] = &[
+        "Error code", "Controlword", "Statusword", "Modes of operation", "Modes of operation display",
+        "Position actual value", "Target position", "Software position limit", "Highest subindex supported",
+        "Min position limit", "Max position limit", "Position factor", "Highest subindex supported",
+        "Numerator", "Denominator", "Homing method", "Position offset", "Interpolation time period",
+        "Highest subindex supported", "Interpolation time period value", "Interpolation time index",
+        "Following error actual value", "Digital Inputs", "Target velocity",
+    ];
+
+    const NAMES_65: &[&str] = &["Supported drive modes"];
+    const NAMES_67: &[&str] = &["Device profile number"];
 }

@@ -4684,6 +4684,104 @@ pub mod double {
                 &[],
             )],
         };
+
+        /// The name of every object and entry, for a firmware that tells what is in its dictionary.
+        pub static NAMES: sdo::Names = sdo::Names {
+            pages: &[
+                NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65, NAMES_60,
+                NAMES_65, NAMES_20, NAMES_28,
+            ],
+        };
+
+        const NAMES_10: &[&str] = &[
+            "Device type", "Manufacturer device name", "Manufacturer hardware version",
+            "Manufacturer software version", "Identity object", "Highest subindex supported", "Vendor ID",
+            "Product code", "Revision number", "Serial number",
+        ];
+
+        const NAMES_16: &[&str] = &[
+            "Receive process data", "Highest subindex supported", "Control word", "Modes of operation",
+            "Target position", "Target velocity", "Velocity offset", "Torque offset", "Target torque",
+            "Digital outputs", "Receive process data", "Highest subindex supported", "Control word",
+            "Modes of operation", "Target position", "Target velocity", "Velocity offset", "Torque offset",
+            "Target torque", "Digital outputs",
+        ];
+
+        const NAMES_1A: &[&str] = &[
+            "Transmit process data", "Highest subindex supported", "Statusword",
+            "Modes of operation display", "Position actual value", "Velocity actual value",
+            "Torque actual value", "Following error actual value", "Digital inputs",
+            "Additional position actual value / 1st value", "Status word 2", "Status word user-defined",
+            "Transmit process data", "Highest subindex supported", "Statusword",
+            "Modes of operation display", "Position actual value", "Velocity actual value",
+            "Torque actual value", "Following error actual value", "Digital inputs",
+            "Additional position actual value / 1st value", "Status word 2", "Status word user-defined",
+        ];
+
+        const NAMES_1C: &[&str] = &[
+            "Sync manager communication type", "Highest subindex supported", "Sync manager 0",
+            "Sync manager 1", "Sync manager 2", "Sync manager 3", "Sync manager 2 PDO assignment",
+            "Highest subindex supported", "SubIndex 001", "SubIndex 002", "Sync manager 3 PDO assignment",
+            "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SM output parameter",
+            "Highest subindex supported", "Synchronization type", "Cycle time", "Shift time",
+            "Synchronization types supported", "Minimum cycle time", "Calc and copy time",
+            "Minimum delay time", "Get cycle time", "Delay time", "Sync0 cycle time", "SM event missed",
+            "Cycle time too small", "Sync error", "SM input parameter", "Highest subindex supported",
+            "Synchronization type", "Cycle time", "Shift time", "Synchronization types supported",
+            "Minimum cycle time", "Calc and copy time", "Minimum delay time", "Get cycle time", "Delay time",
+            "Sync0 cycle time", "SM event missed", "Cycle time too small", "Sync error",
+        ];
+
+        const NAMES_20: &[&str] = &["Status word user-defined"];
+        const NAMES_28: &[&str] = &["Status word 2"];
+
+        const NAMES_60: &[&str] = &[
+            "Error code", "Control word", "Statusword", "vl target velocity", "vl velocity demand",
+            "vl velocity actual value", "vl velocity min max amount", "Highest subindex supported",
+            "vl velocity min amount", "vl velocity max amount", "vl velocity acceleration",
+            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity deceleration",
+            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity quick stop",
+            "Highest subindex supported", "Delta speed", "Delta time", "vl set-point factor",
+            "Highest subindex supported", "vl set-point factor numerator", "vl set-point factor denominator",
+            "vl dimension factor", "Highest subindex supported", "vl dimension factor numerator",
+            "vl dimension factor denominator", "Quick stop option code", "Fault reaction option code",
+            "Modes of operation", "Modes of operation display", "Position actual value",
+            "Following error window", "Following error time out", "Velocity actual value", "Target torque",
+            "Maximum torque", "Rated torque", "Torque actual value", "Current actual value",
+            "DC link circuit voltage", "Target position", "Position range limit",
+            "Highest subindex supported", "Min position range limit", "Max position range limit",
+            "Home offset", "Software position limit", "Highest subindex supported", "Min position limit",
+            "Max position limit", "Polarity", "Max profile velocity", "Profile velocity",
+            "Profile acceleration", "Profile deceleration", "Quick stop deceleration", "Torque slope",
+            "Gear ratio", "Highest subindex supported", "Motor revolutions", "Shaft revolutions",
+            "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions", "Homing method",
+            "Homing speeds", "Highest subindex supported", "Speed during search for switch",
+            "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
+            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
+            "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
+            "Touch probe position 1 negative value", "Touch probe position 2 positive value",
+            "Touch probe position 2 negative value", "Interpolation sub mode select",
+            "Interpolation data record", "Highest subindex supported", "1st set-point",
+            "Interpolation time period", "Highest subindex supported", "Interpolation time period value",
+            "Interpolation time index", "Interpolation data configuration", "Highest subindex supported",
+            "Maximum buffer size", "Actual buffer size", "Buffer organisation", "Buffer position",
+            "Size of data record", "Buffer clear", "Max acceleration", "Max deceleration",
+            "Touch probe source", "Highest subindex supported", "Touch probe 1 source",
+            "Touch probe 2 source", "Supported homing methods", "Highest subindex supported",
+            "1st supported homing method", "2nd supported homing method", "3rd supported homing method",
+            "4th supported homing method", "5th supported homing method", "6th supported homing method",
+            "7th supported homing method", "8th supported homing method", "9th supported homing method",
+            "10th supported homing method", "11th supported homing method", "12th supported homing method",
+            "13th supported homing method", "14th supported homing method", "15th supported homing method",
+            "16th supported homing method", "17th supported homing method", "18th supported homing method",
+            "19th supported homing method", "20th supported homing method",
+            "Additional position actual value / 1st value", "Highest subindex supported",
+            "1st additional position actual value", "Positioning option code",
+            "Following error actual value", "Digital inputs", "Digital outputs",
+            "Highest subindex supported", "Physical outputs", "Target velocity",
+        ];
+
+        const NAMES_65: &[&str] = &["Supported drive modes"];
     }
 }
 
@@ -8943,6 +9041,95 @@ pub mod single {
                 &[],
             )],
         };
+
+        /// The name of every object and entry, for a firmware that tells what is in its dictionary.
+        pub static NAMES: sdo::Names = sdo::Names {
+            pages: &[NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65],
+        };
+
+        const NAMES_10: &[&str] = &[
+            "Device type", "Manufacturer device name", "Manufacturer hardware version",
+            "Manufacturer software version", "Identity object", "Highest subindex supported", "Vendor ID",
+            "Product code", "Revision number", "Serial number",
+        ];
+
+        const NAMES_16: &[&str] = &[
+            "Receive process data", "Highest subindex supported", "Control word", "Modes of operation",
+            "Target position", "Target velocity", "Velocity offset", "Torque offset", "Target torque",
+            "Digital outputs",
+        ];
+
+        const NAMES_1A: &[&str] = &[
+            "Transmit process data", "Highest subindex supported", "Statusword",
+            "Modes of operation display", "Position actual value", "Velocity actual value",
+            "Torque actual value", "Following error actual value", "Digital inputs",
+            "Additional position actual value / 1st value", "Status word 2", "Status word user-defined",
+        ];
+
+        const NAMES_1C: &[&str] = &[
+            "Sync manager communication type", "Highest subindex supported", "Sync manager 0",
+            "Sync manager 1", "Sync manager 2", "Sync manager 3", "Sync manager 2 PDO assignment",
+            "Highest subindex supported", "SubIndex 001", "Sync manager 3 PDO assignment",
+            "Highest subindex supported", "SubIndex 001", "SM output parameter",
+            "Highest subindex supported", "Synchronization type", "Cycle time", "Shift time",
+            "Synchronization types supported", "Minimum cycle time", "Calc and copy time",
+            "Minimum delay time", "Get cycle time", "Delay time", "Sync0 cycle time", "SM event missed",
+            "Cycle time too small", "Sync error", "SM input parameter", "Highest subindex supported",
+            "Synchronization type", "Cycle time", "Shift time", "Synchronization types supported",
+            "Minimum cycle time", "Calc and copy time", "Minimum delay time", "Get cycle time", "Delay time",
+            "Sync0 cycle time", "SM event missed", "Cycle time too small", "Sync error",
+        ];
+
+        const NAMES_20: &[&str] = &["Status word user-defined"];
+        const NAMES_28: &[&str] = &["Status word 2"];
+
+        const NAMES_60: &[&str] = &[
+            "Error code", "Control word", "Statusword", "vl target velocity", "vl velocity demand",
+            "vl velocity actual value", "vl velocity min max amount", "Highest subindex supported",
+            "vl velocity min amount", "vl velocity max amount", "vl velocity acceleration",
+            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity deceleration",
+            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity quick stop",
+            "Highest subindex supported", "Delta speed", "Delta time", "vl set-point factor",
+            "Highest subindex supported", "vl set-point factor numerator", "vl set-point factor denominator",
+            "vl dimension factor", "Highest subindex supported", "vl dimension factor numerator",
+            "vl dimension factor denominator", "Quick stop option code", "Fault reaction option code",
+            "Modes of operation", "Modes of operation display", "Position actual value",
+            "Following error window", "Following error time out", "Velocity actual value", "Target torque",
+            "Maximum torque", "Rated torque", "Torque actual value", "Current actual value",
+            "DC link circuit voltage", "Target position", "Position range limit",
+            "Highest subindex supported", "Min position range limit", "Max position range limit",
+            "Home offset", "Software position limit", "Highest subindex supported", "Min position limit",
+            "Max position limit", "Polarity", "Max profile velocity", "Profile velocity",
+            "Profile acceleration", "Profile deceleration", "Quick stop deceleration", "Torque slope",
+            "Gear ratio", "Highest subindex supported", "Motor revolutions", "Shaft revolutions",
+            "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions", "Homing method",
+            "Homing speeds", "Highest subindex supported", "Speed during search for switch",
+            "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
+            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
+            "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
+            "Touch probe position 1 negative value", "Touch probe position 2 positive value",
+            "Touch probe position 2 negative value", "Interpolation sub mode select",
+            "Interpolation data record", "Highest subindex supported", "1st set-point",
+            "Interpolation time period", "Highest subindex supported", "Interpolation time period value",
+            "Interpolation time index", "Interpolation data configuration", "Highest subindex supported",
+            "Maximum buffer size", "Actual buffer size", "Buffer organisation", "Buffer position",
+            "Size of data record", "Buffer clear", "Max acceleration", "Max deceleration",
+            "Touch probe source", "Highest subindex supported", "Touch probe 1 source",
+            "Touch probe 2 source", "Supported homing methods", "Highest subindex supported",
+            "1st supported homing method", "2nd supported homing method", "3rd supported homing method",
+            "4th supported homing method", "5th supported homing method", "6th supported homing method",
+            "7th supported homing method", "8th supported homing method", "9th supported homing method",
+            "10th supported homing method", "11th supported homing method", "12th supported homing method",
+            "13th supported homing method", "14th supported homing method", "15th supported homing method",
+            "16th supported homing method", "17th supported homing method", "18th supported homing method",
+            "19th supported homing method", "20th supported homing method",
+            "Additional position actual value / 1st value", "Highest subindex supported",
+            "1st additional position actual value", "Positioning option code",
+            "Following error actual value", "Digital inputs", "Digital outputs",
+            "Highest subindex supported", "Physical outputs", "Target velocity",
+        ];
+
+        const NAMES_65: &[&str] = &["Supported drive modes"];
     }
 }
 

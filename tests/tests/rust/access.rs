@@ -11,14 +11,19 @@ use serde_json::Value;
 
 const STATES: [CommunicationState; 3] = [PreOperational, SafeOperational, Operational];
 
-/// The entries of a member, by address.
-fn entries(family: &str, member: &str) -> BTreeMap<Address, Value> {
+/// The objects of a member.
+pub(crate) fn model(family: &str, member: &str) -> Vec<Value> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../generated/{family}/{family}.json"));
     let text = std::fs::read_to_string(path).expect("the output is there");
     let json: Value = serde_json::from_str(&text).expect("it is JSON");
     let members = json["members"].as_array().expect("there are members");
     let member = members.iter().find(|it| it["id"] == member).expect("there is such a member");
-    let objects = member["objects"].as_array().expect("there are objects");
+    member["objects"].as_array().expect("there are objects").clone()
+}
+
+/// The entries of a member, by address.
+fn entries(family: &str, member: &str) -> BTreeMap<Address, Value> {
+    let objects = model(family, member);
     let entries = objects.iter().flat_map(|object| object["entries"].as_array().expect("there are some"));
     entries.map(|entry| (address(entry), entry.clone())).collect()
 }
@@ -29,7 +34,7 @@ fn address(entry: &Value) -> Address {
 }
 
 /// Bytes of a type in an SDO, and whether it is text.
-fn length(entry: &Value) -> (usize, bool) {
+pub(crate) fn length(entry: &Value) -> (usize, bool) {
     let name = entry["data_type"].as_str().expect("it has a type");
     let bits = name.trim_start_matches(|c: char| !c.is_ascii_digit()).trim_end_matches(')');
     let bits = || bits.parse::<usize>().expect("the name ends with the width");

@@ -13,6 +13,7 @@ mod entry;
 mod errors;
 mod head;
 mod images;
+mod information;
 mod literal;
 mod machine;
 mod measure;

@@ -5,14 +5,15 @@ use std::collections::BTreeMap;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::information;
 use super::literal::{hex8, number, parsed};
 use super::scope::Scope;
 use super::stored::{Home, Stored, homes};
 use crate::model::{Access, DataType, Entry, Index, Kind, Mappable, Object, Value};
 
 /// Objects whose indices share the high byte.
-struct Page<'a> {
-    high: u8,
+pub(super) struct Page<'a> {
+    pub(super) high: u8,
     objects: Vec<Row<'a>>,
 }
 
@@ -22,7 +23,12 @@ struct Row<'a> {
     home: Option<&'a Home>,
 }
 
-impl Page<'_> {
+impl<'a> Page<'a> {
+    /// The objects, ascending by index.
+    pub(super) fn objects(&self) -> impl Iterator<Item = &'a Object> {
+        self.objects.iter().map(|row| row.object)
+    }
+
     fn lows(&self) -> impl Iterator<Item = u8> {
         self.objects.iter().map(|row| row.object.index.0.to_be_bytes()[1])
     }
@@ -72,6 +78,8 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     }
     let highs = pages.iter().map(|page| hex8(page.high));
     let shorthands = shorthands();
+    let information = scope.device.mailbox.as_ref().filter(|mailbox| mailbox.sdo_info);
+    let names = information.map(|_| information::items(&pages));
     quote! {
         /// Every entry of the device, to be found by its address.
         pub static TABLE: sdo::Dictionary = sdo::Dictionary {
@@ -82,6 +90,7 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
         const DIRECTORY: [u8; 256] = positions(0, &[#(#highs),*]);
         #shorthands
         #tables
+        #names
     }
 }
 
