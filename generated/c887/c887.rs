@@ -46,7 +46,7 @@ use ::devc_runtime::cia402::{
 };
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+use ::devc_runtime::pdo::{Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx};
 use ::devc_runtime::{Device, error};
 
 /// The C-887.53x.
@@ -1546,6 +1546,15 @@ impl RxPdo1600 {
 impl Pdo for RxPdo1600 {
     const INDEX: u16 = Self::index(Axis::X);
     const MAPPING: &'static [Mapping] = &Self::mapping(Axis::X);
+
+    const ALL: &'static [MappedPdo] = &[
+        MappedPdo::new(Self::index(Axis::X), &Self::mapping(Axis::X)),
+        MappedPdo::new(Self::index(Axis::Y), &Self::mapping(Axis::Y)),
+        MappedPdo::new(Self::index(Axis::Z), &Self::mapping(Axis::Z)),
+        MappedPdo::new(Self::index(Axis::U), &Self::mapping(Axis::U)),
+        MappedPdo::new(Self::index(Axis::V), &Self::mapping(Axis::V)),
+        MappedPdo::new(Self::index(Axis::W), &Self::mapping(Axis::W)),
+    ];
 }
 
 /// `0x1601` RxPDO - PP, 15 bytes. One for each axis, 0x10 apart, up to `0x1651`.
@@ -1628,6 +1637,15 @@ impl RxPdo1601 {
 impl Pdo for RxPdo1601 {
     const INDEX: u16 = Self::index(Axis::X);
     const MAPPING: &'static [Mapping] = &Self::mapping(Axis::X);
+
+    const ALL: &'static [MappedPdo] = &[
+        MappedPdo::new(Self::index(Axis::X), &Self::mapping(Axis::X)),
+        MappedPdo::new(Self::index(Axis::Y), &Self::mapping(Axis::Y)),
+        MappedPdo::new(Self::index(Axis::Z), &Self::mapping(Axis::Z)),
+        MappedPdo::new(Self::index(Axis::U), &Self::mapping(Axis::U)),
+        MappedPdo::new(Self::index(Axis::V), &Self::mapping(Axis::V)),
+        MappedPdo::new(Self::index(Axis::W), &Self::mapping(Axis::W)),
+    ];
 }
 
 /// `0x1A00` TxPDO - CSP, 11 bytes. One for each axis, 0x10 apart, up to `0x1A50`.
@@ -1700,6 +1718,15 @@ impl TxPdo1A00 {
 impl Pdo for TxPdo1A00 {
     const INDEX: u16 = Self::index(Axis::X);
     const MAPPING: &'static [Mapping] = &Self::mapping(Axis::X);
+
+    const ALL: &'static [MappedPdo] = &[
+        MappedPdo::new(Self::index(Axis::X), &Self::mapping(Axis::X)),
+        MappedPdo::new(Self::index(Axis::Y), &Self::mapping(Axis::Y)),
+        MappedPdo::new(Self::index(Axis::Z), &Self::mapping(Axis::Z)),
+        MappedPdo::new(Self::index(Axis::U), &Self::mapping(Axis::U)),
+        MappedPdo::new(Self::index(Axis::V), &Self::mapping(Axis::V)),
+        MappedPdo::new(Self::index(Axis::W), &Self::mapping(Axis::W)),
+    ];
 }
 
 /// `0x1A01` TxPDO - PP, 7 bytes. One for each axis, 0x10 apart, up to `0x1A51`.
@@ -1766,6 +1793,15 @@ impl TxPdo1A01 {
 impl Pdo for TxPdo1A01 {
     const INDEX: u16 = Self::index(Axis::X);
     const MAPPING: &'static [Mapping] = &Self::mapping(Axis::X);
+
+    const ALL: &'static [MappedPdo] = &[
+        MappedPdo::new(Self::index(Axis::X), &Self::mapping(Axis::X)),
+        MappedPdo::new(Self::index(Axis::Y), &Self::mapping(Axis::Y)),
+        MappedPdo::new(Self::index(Axis::Z), &Self::mapping(Axis::Z)),
+        MappedPdo::new(Self::index(Axis::U), &Self::mapping(Axis::U)),
+        MappedPdo::new(Self::index(Axis::V), &Self::mapping(Axis::V)),
+        MappedPdo::new(Self::index(Axis::W), &Self::mapping(Axis::W)),
+    ];
 }
 
 /// The outputs of the master with the PDOs assigned by default, 42 bytes.
@@ -1824,6 +1860,17 @@ impl Outputs {
     axes, axes_mut: [RxPdo1600; axis_x, axis_y, axis_z, axis_u, axis_v, axis_w] => 0;
 }
 
+impl ProcessImage for Outputs {
+    const PDOS: &'static [MappedPdo] = &[
+        MappedPdo::of_axis::<RxPdo1600>(0),
+        MappedPdo::of_axis::<RxPdo1600>(1),
+        MappedPdo::of_axis::<RxPdo1600>(2),
+        MappedPdo::of_axis::<RxPdo1600>(3),
+        MappedPdo::of_axis::<RxPdo1600>(4),
+        MappedPdo::of_axis::<RxPdo1600>(5),
+    ];
+}
+
 /// The inputs of the master with the PDOs assigned by default, 66 bytes.
 ///
 /// Source: p. 21 to 24.
@@ -1880,6 +1927,55 @@ impl Inputs {
 ::devc_runtime::view! {
     pub InputsView of PDOs in Inputs, 66;
     axes, axes_mut: [TxPdo1A00; axis_x, axis_y, axis_z, axis_u, axis_v, axis_w] => 0;
+}
+
+impl ProcessImage for Inputs {
+    const PDOS: &'static [MappedPdo] = &[
+        MappedPdo::of_axis::<TxPdo1A00>(0),
+        MappedPdo::of_axis::<TxPdo1A00>(1),
+        MappedPdo::of_axis::<TxPdo1A00>(2),
+        MappedPdo::of_axis::<TxPdo1A00>(3),
+        MappedPdo::of_axis::<TxPdo1A00>(4),
+        MappedPdo::of_axis::<TxPdo1A00>(5),
+    ];
+}
+
+/// Source: p. 21 to 24.
+impl Carries<Rx> for C887 {
+    const SYNC_MANAGER: SyncManager = SyncManager {
+        default: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650],
+        assignable: true,
+        slots: 7,
+        max_size: Some(90),
+        mandatory: &[],
+        exclusive: &[
+            [0x1600, 0x1601],
+            [0x1610, 0x1611],
+            [0x1620, 0x1621],
+            [0x1630, 0x1631],
+            [0x1640, 0x1641],
+            [0x1650, 0x1651],
+        ],
+    };
+}
+
+/// Source: p. 21 to 24.
+impl Carries<Tx> for C887 {
+    const SYNC_MANAGER: SyncManager = SyncManager {
+        default: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
+        assignable: true,
+        slots: 6,
+        max_size: Some(66),
+        mandatory: &[],
+        exclusive: &[
+            [0x1A00, 0x1A01],
+            [0x1A10, 0x1A11],
+            [0x1A20, 0x1A21],
+            [0x1A30, 0x1A31],
+            [0x1A40, 0x1A41],
+            [0x1A50, 0x1A51],
+        ],
+    };
 }
 
 /// How the statusword shows the states.

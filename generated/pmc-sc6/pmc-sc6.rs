@@ -38,7 +38,9 @@ pub mod double {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402.
@@ -2736,6 +2738,11 @@ pub mod double {
     impl Pdo for RxPdo1600 {
         const INDEX: u16 = Self::index(Axis::A);
         const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+        const ALL: &'static [MappedPdo] = &[
+            MappedPdo::new(Self::index(Axis::A), &Self::mapping(Axis::A)),
+            MappedPdo::new(Self::index(Axis::B), &Self::mapping(Axis::B)),
+        ];
     }
 
     /// `0x1A00` Transmit process data, 29 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
@@ -2856,6 +2863,11 @@ pub mod double {
     impl Pdo for TxPdo1A00 {
         const INDEX: u16 = Self::index(Axis::A);
         const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+        const ALL: &'static [MappedPdo] = &[
+            MappedPdo::new(Self::index(Axis::A), &Self::mapping(Axis::A)),
+            MappedPdo::new(Self::index(Axis::B), &Self::mapping(Axis::B)),
+        ];
     }
 
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
@@ -2918,6 +2930,11 @@ pub mod double {
         axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] =
+            &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -2978,6 +2995,35 @@ pub mod double {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 58;
         axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] =
+            &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Rx> for Double {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1600, 0x1601],
+            assignable: false,
+            slots: 2,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Tx> for Double {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1A00, 0x1A01],
+            assignable: false,
+            slots: 2,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.
@@ -4820,7 +4866,9 @@ pub mod single {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402.
@@ -7345,6 +7393,10 @@ pub mod single {
         rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -7390,6 +7442,34 @@ pub mod single {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 29;
         tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Rx> for Single {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1600],
+            assignable: false,
+            slots: 1,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Tx> for Single {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1A00],
+            assignable: false,
+            slots: 1,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.
@@ -9168,7 +9248,9 @@ pub mod double_hires {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
@@ -11879,6 +11961,11 @@ pub mod double_hires {
     impl Pdo for RxPdo1600 {
         const INDEX: u16 = Self::index(Axis::A);
         const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+        const ALL: &'static [MappedPdo] = &[
+            MappedPdo::new(Self::index(Axis::A), &Self::mapping(Axis::A)),
+            MappedPdo::new(Self::index(Axis::B), &Self::mapping(Axis::B)),
+        ];
     }
 
     /// `0x1A00` Transmit process data, 29 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
@@ -11999,6 +12086,11 @@ pub mod double_hires {
     impl Pdo for TxPdo1A00 {
         const INDEX: u16 = Self::index(Axis::A);
         const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+        const ALL: &'static [MappedPdo] = &[
+            MappedPdo::new(Self::index(Axis::A), &Self::mapping(Axis::A)),
+            MappedPdo::new(Self::index(Axis::B), &Self::mapping(Axis::B)),
+        ];
     }
 
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
@@ -12061,6 +12153,11 @@ pub mod double_hires {
         axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] =
+            &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -12121,6 +12218,35 @@ pub mod double_hires {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 58;
         axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] =
+            &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Rx> for DoubleHires {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1600, 0x1601],
+            assignable: false,
+            slots: 2,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Tx> for DoubleHires {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1A00, 0x1A01],
+            assignable: false,
+            slots: 2,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.
@@ -13864,7 +13990,9 @@ pub mod single_hires {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402 HiRes Motion.
@@ -16415,6 +16543,10 @@ pub mod single_hires {
         rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -16460,6 +16592,34 @@ pub mod single_hires {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 29;
         tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Rx> for SingleHires {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1600],
+            assignable: false,
+            slots: 1,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 5.1.3, 7.1.
+    impl Carries<Tx> for SingleHires {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1A00],
+            assignable: false,
+            slots: 1,
+            max_size: Some(192),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.

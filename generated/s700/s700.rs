@@ -35,7 +35,9 @@ pub mod s300 {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The S300.
@@ -3855,6 +3857,10 @@ pub mod s300 {
         rx_pdo_1702, rx_pdo_1702_mut: RxPdo1702 => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1702>(0)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
@@ -3884,6 +3890,34 @@ pub mod s300 {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 6;
         tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Rx> for S300 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1702],
+            assignable: true,
+            slots: 1,
+            max_size: Some(64),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Tx> for S300 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1B01],
+            assignable: true,
+            slots: 1,
+            max_size: Some(72),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.
@@ -5522,7 +5556,9 @@ pub mod s400 {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The S400.
@@ -8344,6 +8380,10 @@ pub mod s400 {
         rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
@@ -8373,6 +8413,34 @@ pub mod s400 {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 6;
         tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Rx> for S400 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1701],
+            assignable: true,
+            slots: 1,
+            max_size: Some(64),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Tx> for S400 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1B01],
+            assignable: true,
+            slots: 1,
+            max_size: Some(72),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.
@@ -9866,7 +9934,9 @@ pub mod s600 {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The S600.
@@ -12688,6 +12758,10 @@ pub mod s600 {
         rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
@@ -12717,6 +12791,34 @@ pub mod s600 {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 6;
         tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Rx> for S600 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1701],
+            assignable: true,
+            slots: 1,
+            max_size: Some(64),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Tx> for S600 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1B01],
+            assignable: true,
+            slots: 1,
+            max_size: Some(72),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.
@@ -14210,7 +14312,9 @@ pub mod s700 {
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-    use ::devc_runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+    use ::devc_runtime::pdo::{
+        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+    };
     use ::devc_runtime::{Device, error};
 
     /// The S700.
@@ -18040,6 +18144,10 @@ pub mod s700 {
         rx_pdo_1702, rx_pdo_1702_mut: RxPdo1702 => 0;
     }
 
+    impl ProcessImage for Outputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1702>(0)];
+    }
+
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
@@ -18069,6 +18177,34 @@ pub mod s700 {
     ::devc_runtime::view! {
         pub InputsView of PDOs in Inputs, 6;
         tx_pdo_1b01, tx_pdo_1b01_mut: TxPdo1B01 => 0;
+    }
+
+    impl ProcessImage for Inputs {
+        const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1B01>(0)];
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Rx> for S700 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1702],
+            assignable: true,
+            slots: 1,
+            max_size: Some(64),
+            mandatory: &[],
+            exclusive: &[],
+        };
+    }
+
+    /// Source: 3.1, 3.5.
+    impl Carries<Tx> for S700 {
+        const SYNC_MANAGER: SyncManager = SyncManager {
+            default: &[0x1B01],
+            assignable: true,
+            slots: 1,
+            max_size: Some(72),
+            mandatory: &[],
+            exclusive: &[],
+        };
     }
 
     /// How the statusword shows the states.

@@ -32,3 +32,31 @@ pub fn device(input: TokenStream) -> TokenStream {
     let root = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
     devc::derive::expand(input.into(), Path::new(&root), &Disk).into()
 }
+
+/// Makes the process image of a struct whose fields are PDOs of a device, or arrays of the PDOs of its axes: all that
+/// the device receives in a cycle, or all that it sends.
+///
+/// ```ignore
+/// use c887::{Axis, RxPdo1600, RxPdo1601};
+/// use devc_runtime::pdo::ProcessImage;
+///
+/// #[derive(Debug, Clone, Copy, PartialEq, ProcessImage)]
+/// pub struct Outputs {
+///     pub cyclic: [RxPdo1600; 3],
+///     #[image(axis = Axis::U)]
+///     pub profile: [RxPdo1601; 3],
+/// }
+/// ```
+///
+/// It gets `ProcessData`, `ProcessImage` with the PDOs to assign, and a view `OutputsView` that has those of the PDOs.
+/// An array begins with the first axis, if `axis` names no other. What the device forbids does not compile: PDOs of
+/// another device or direction, the same twice, two that exclude each other, too many, one missing, too many bytes.
+///
+/// | setting | meaning |
+/// |---|---|
+/// | `axis = ..` | on a field: the axis that the PDO, or the first of the array, is for |
+/// | `runtime = ..` | on the struct: the path of `devc-runtime`, by default `::devc_runtime` |
+#[proc_macro_derive(ProcessImage, attributes(image))]
+pub fn process_image(input: TokenStream) -> TokenStream {
+    devc::derive::process_image(input.into()).into()
+}

@@ -25,6 +25,7 @@ pub mod error;
 pub mod object;
 pub mod pdo;
 pub mod sdo;
+mod text;
 pub mod unit;
 
 #[cfg(feature = "derive")]

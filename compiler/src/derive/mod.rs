@@ -1,10 +1,13 @@
-//! What `#[derive(Device)]` does: a front end like the command line, over the same stages.
+//! What the derives do. `#[derive(Device)]` is a front end like the command line, over the same stages.
 //!
 //! It lives here and not in the macro crate so that it can be tested as any other code: nothing in it depends on
 //! running inside the compiler.
 
 mod beneath;
 mod input;
+mod process_image;
+mod record;
+mod settings;
 
 use std::path::Path;
 
@@ -19,6 +22,7 @@ use crate::source::Loader;
 use crate::{Compilation, compile};
 use beneath::Beneath;
 use input::Input;
+pub use process_image::process_image;
 
 /// Something that keeps the derive from going on, and the place in the user's code that it is about.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! Process data by value.
 
-use super::{Direction, Mapping};
+use super::Direction;
 use crate::Device;
 use crate::bytes::{ByteArray, WrongLength};
 
@@ -101,15 +101,4 @@ macro_rules! process_data {
 
         $crate::ethercrab!($data, $length);
     };
-}
-
-/// A single PDO: process data that has an index of its own.
-///
-/// Where each axis has a PDO of the same shape, there is one type for all, so that a program can go through the axes;
-/// the constants are those of the first axis, and the generated type tells the others.
-pub trait Pdo: ProcessData {
-    /// The mapping object, 0x1600 on for received and 0x1A00 on for transmitted PDOs (CiA 301).
-    const INDEX: u16;
-    /// What is mapped, in order, each as the mapping object holds it: index, subindex and number of bits.
-    const MAPPING: &'static [Mapping];
 }

@@ -1,6 +1,58 @@
-//! What is mapped to a PDO.
+//! PDOs, and what is mapped to them.
 
+use super::ProcessData;
+use super::image::refuse;
 use crate::object::Address;
+use crate::text::Text;
+
+/// A single PDO: process data that has an index of its own.
+///
+/// Where each axis has a PDO of the same shape, there is one type for all, so that a program can go through the axes;
+/// the constants are those of the first axis, and the generated type tells the others.
+pub trait Pdo: ProcessData {
+    /// The mapping object, 0x1600 on for received and 0x1A00 on for transmitted PDOs (CiA 301).
+    const INDEX: u16;
+    /// What is mapped, in order, each as the mapping object holds it: index, subindex and number of bits.
+    const MAPPING: &'static [Mapping];
+
+    /// The PDO of each axis, or the only one, with what is mapped to it.
+    const ALL: &'static [MappedPdo] = &[MappedPdo::new(Self::INDEX, Self::MAPPING)];
+}
+
+/// A PDO with what is mapped to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MappedPdo {
+    /// The mapping object.
+    pub index: u16,
+    /// What is mapped, in order.
+    pub mapping: &'static [Mapping],
+    /// Whether it is not what the device starts with, so that the master has to write it.
+    pub is_own: bool,
+}
+
+impl MappedPdo {
+    /// A PDO as the device has it.
+    pub const fn new(index: u16, mapping: &'static [Mapping]) -> Self {
+        Self { index, mapping, is_own: false }
+    }
+
+    /// The PDO of an axis, by number; refuses an axis that has none, so it is for constants.
+    #[track_caller]
+    pub const fn of_axis<P: Pdo>(axis: u8) -> Self {
+        match P::ALL.split_at_checked(axis as usize) {
+            Some((_, [pdo, ..])) => *pdo,
+            _ => refuse(
+                Text::new()
+                    .text("there is no axis ")
+                    .number(axis as usize)
+                    .text(" for ")
+                    .hex(P::INDEX)
+                    .text(", which is there for ")
+                    .number(P::ALL.len()),
+            ),
+        }
+    }
+}
 
 /// A mapped entry: what a subindex of a mapping object says (CiA 301, PDO mapping).
 ///

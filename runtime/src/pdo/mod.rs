@@ -14,13 +14,17 @@ mod direction;
 #[cfg(feature = "ethercrab")]
 #[doc(hidden)]
 pub mod ethercrab;
+mod image;
 mod in_place;
 mod mapping;
 #[cfg(not(feature = "ethercrab"))]
 mod no_ethercrab;
 pub mod place;
 
-pub use data::{Pdo, ProcessData};
+pub use data::ProcessData;
+#[cfg(feature = "derive")]
+pub use devc_macros::ProcessImage;
 pub use direction::{Direction, Rx, Tx};
+pub use image::{Carries, PdoOf, ProcessImage, SyncManager, check_image, check_pdo};
 pub use in_place::{InPlace, View, ViewMut};
-pub use mapping::Mapping;
+pub use mapping::{MappedPdo, Mapping, Pdo};

@@ -6,6 +6,7 @@ mod access;
 mod bounded;
 mod c887;
 mod dictionary;
+mod images;
 mod information;
 mod pdos;
 mod rebuild;

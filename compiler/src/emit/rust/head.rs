@@ -25,7 +25,9 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         };
         use #runtime::error::{ErrorInfo, ErrorRange};
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-        use #runtime::pdo::{Mapping, Pdo, ProcessData, Rx, Tx};
+        use #runtime::pdo::{
+            Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        };
         use #runtime::{Device, error};
         #device
         #axes

@@ -15,6 +15,8 @@ use crate::model::{Index, Pdo, Role};
 struct Part<'a, 'p> {
     pdo: &'p Placed<'a, Pdo>,
     name: Ident,
+    /// The axis of the first of them.
+    axis: usize,
     /// Whether it is the PDOs of all axes, one after the other.
     of_axes: bool,
 }
@@ -36,6 +38,7 @@ fn image(
     let manager = scope.device.sync_manager(role).filter(|manager| !manager.pdos.is_empty())?;
     let parts = parts(scope, &manager.pdos)?;
     let fields = parts.iter().map(|part| field(scope, part));
+    let pdos = parts.iter().flat_map(|part| selected(scope, part));
     let (name, length) = (format_ident!("{name}"), scope.device.image_bytes(role));
     let doc = Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes."))
         .source(manager.source.as_ref(), scope.device);
@@ -46,6 +49,10 @@ fn image(
         pub struct #name { #(#fields)* }
 
         #packing
+
+        impl ProcessImage for #name {
+            const PDOS: &'static [MappedPdo] = &[#(#pdos),*];
+        }
     })
 }
 
@@ -57,13 +64,14 @@ fn parts<'a, 'p>(scope: &'p Scope<'a>, mut assigned: &[Index]) -> Option<Vec<Par
         if !pdo.first.bits().is_multiple_of(8) {
             return None;
         }
+        let axis = pdo.all.iter().position(|one| one.index == *first).unwrap_or(0);
         let row = pdo.all.iter().map(|pdo| &pdo.index);
         let of_axes = pdo.shift.is_some() && assigned.iter().take(pdo.all.len()).eq(row);
         let direction = if pdo.id.starts_with("rx") { "rx" } else { "tx" };
         let id =
             if of_axes { "axes".to_owned() } else { format!("{direction}-pdo-{first:04X}", first = first.0) };
         assigned = if of_axes { assigned.get(pdo.all.len()..).unwrap_or_default() } else { rest };
-        parts.push(Part { pdo, name: names.claim(&snake(&id)), of_axes });
+        parts.push(Part { pdo, name: names.claim(&snake(&id)), axis, of_axes });
     }
     Some(parts)
 }
@@ -77,6 +85,17 @@ fn field(scope: &Scope<'_>, part: &Part<'_, '_>) -> TokenStream {
     }
     let doc = Doc::new(format!("{title}."));
     quote!(#doc pub #name: #pdo,)
+}
+
+/// The PDOs with what is mapped to them.
+fn selected(scope: &Scope<'_>, part: &Part<'_, '_>) -> Vec<TokenStream> {
+    let pdo = scope.pdo_ident(part.pdo);
+    let count = if part.of_axes { part.pdo.all.len() } else { 1 };
+    let selected = (part.axis..part.axis + count).map(|axis| {
+        let axis = number(axis);
+        quote!(MappedPdo::of_axis::<#pdo>(#axis))
+    });
+    selected.collect()
 }
 
 /// The bytes of the PDOs, one after the other.

@@ -27,6 +27,7 @@ mod scope;
 mod slots;
 mod states;
 mod stored;
+mod sync_managers;
 mod table;
 #[cfg(feature = "rust")]
 mod text;
@@ -88,6 +89,7 @@ pub fn member(device: &Device, options: &Options) -> TokenStream {
         codes::items(&scope),
         pdos::items(&scope),
         images::items(&scope),
+        sync_managers::items(&scope),
         states::items(&scope),
         commands::items(&scope),
         modes::items(&scope),

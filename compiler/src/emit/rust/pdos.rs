@@ -24,7 +24,7 @@ fn items_of(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
     let fields = pdo.entries.iter().zip(&places).filter_map(|(mapped, place)| field(scope, mapped, place));
     let doc = doc(scope, placed);
     let layout = Layout::of_fields(&places, pdo.bytes());
-    let packing = packing::items(scope, &name, direction(pdo), &layout);
+    let packing = packing::items(scope, &name, direction(pdo.direction), &layout);
     let mapping = mapping(scope, placed, &name);
     quote! {
         #doc
@@ -36,8 +36,9 @@ fn items_of(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
     }
 }
 
-fn direction(pdo: &Pdo) -> TokenStream {
-    match pdo.direction {
+/// The type of a direction.
+pub(super) fn direction(direction: Direction) -> TokenStream {
+    match direction {
         Direction::Rx => quote!(Rx),
         Direction::Tx => quote!(Tx),
     }
@@ -127,7 +128,10 @@ fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident) -> TokenSt
             }
         };
     }
-    let first = scope.axis_idents().into_iter().next().map(|(axis, _)| axis);
+    let axes: Vec<Ident> = scope.axis_idents().into_iter().map(|(axis, _)| axis).collect();
+    let first = axes.first();
+    let all =
+        axes.iter().map(|axis| quote!(MappedPdo::new(Self::index(Axis::#axis), &Self::mapping(Axis::#axis))));
     quote! {
         impl #name {
             /// The index of the PDO of an axis.
@@ -144,6 +148,7 @@ fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident) -> TokenSt
         impl Pdo for #name {
             const INDEX: u16 = Self::index(Axis::#first);
             const MAPPING: &'static [Mapping] = &Self::mapping(Axis::#first);
+            const ALL: &'static [MappedPdo] = &[#(#all),*];
         }
     }
 }

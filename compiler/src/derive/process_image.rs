@@ -1,0 +1,252 @@
+//! What `#[derive(ProcessImage)]` does: the image of a struct of PDOs.
+//!
+//! Only tokens are known here, no types; so lengths are sums of constants, and what the device forbids is found when
+//! these are evaluated.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{format_ident, quote, quote_spanned};
+
+use super::Fault;
+use super::record::{Field, Record};
+use super::settings::Settings;
+
+const EXAMPLE: &str = "pub struct Outputs { pub axes: [RxPdo1600; 6] }";
+
+/// Expands the derive on a struct whose fields are PDOs or arrays of PDOs.
+pub fn process_image(input: TokenStream) -> TokenStream {
+    let image = Record::parse(input, "image", EXAMPLE).and_then(|record| Image::of(&record));
+    image.map_or_else(|fault| fault.tokens(), |image| image.tokens())
+}
+
+/// A process image.
+struct Image {
+    name: Ident,
+    visibility: TokenStream,
+    /// The path of the runtime crate.
+    runtime: TokenStream,
+    parts: Vec<Part>,
+}
+
+/// A field of it.
+struct Part {
+    name: Ident,
+    /// Where its type is written.
+    span: Span,
+    pdo: TokenStream,
+    /// How many in a row; one that is no array has none.
+    count: Option<usize>,
+    /// The axis of the first.
+    axis: TokenStream,
+    /// The first byte.
+    offset: TokenStream,
+    /// How many PDOs are before it.
+    place: usize,
+}
+
+impl Image {
+    fn of(record: &Record) -> Result<Self, Fault> {
+        let settings = Settings::parse(&record.attributes, &["runtime"])?;
+        let runtime = settings.get("runtime").cloned().unwrap_or_else(|| quote!(::devc_runtime));
+        let (mut parts, mut offset, mut place) = (Vec::new(), quote!(0), 0);
+        for field in &record.fields {
+            let part = Part::of(field, &offset, place)?;
+            let (pdo, count) = (&part.pdo, part.number());
+            let factor = Literal::usize_unsuffixed(count);
+            offset = quote!(#offset + #factor * <#pdo as #runtime::pdo::ProcessData>::LEN);
+            place += count;
+            parts.push(part);
+        }
+        if parts.is_empty() {
+            return Err(Fault::new(record.name.span(), format!("no PDO is in it: expected `{EXAMPLE}`")));
+        }
+        Ok(Self { name: record.name.clone(), visibility: record.visibility.clone(), runtime, parts })
+    }
+
+    fn tokens(&self) -> TokenStream {
+        let (data, selection, checks, view) = (self.data(), self.selection(), self.checks(), self.view());
+        quote!(#data #selection #checks #view)
+    }
+
+    /// The bytes of all, an expression.
+    fn length(&self) -> TokenStream {
+        let Some(last) = self.parts.last() else { return quote!(0) };
+        let (pdo, offset, runtime) = (&last.pdo, &last.offset, &self.runtime);
+        let factor = Literal::usize_unsuffixed(last.number());
+        quote!(#offset + #factor * <#pdo as #runtime::pdo::ProcessData>::LEN)
+    }
+
+    fn first(&self) -> TokenStream {
+        self.parts.first().map(|part| part.pdo.clone()).unwrap_or_default()
+    }
+
+    fn data(&self) -> TokenStream {
+        let (name, runtime, length, first) = (&self.name, &self.runtime, self.length(), self.first());
+        let pack = self.parts.iter().map(|part| part.pack(runtime));
+        let unpack = self.parts.iter().map(|part| part.unpack(runtime));
+        quote! {
+            impl #runtime::pdo::ProcessData for #name {
+                type Device = <#first as #runtime::pdo::ProcessData>::Device;
+                type Direction = <#first as #runtime::pdo::ProcessData>::Direction;
+                type Image = [u8; #length];
+
+                #[inline]
+                fn pack(self) -> Self::Image {
+                    const LENGTH: usize = <#name as #runtime::pdo::ProcessData>::LEN;
+                    let mut image = [0; LENGTH];
+                    #(#pack)*
+                    image
+                }
+
+                #[inline]
+                fn unpack(image: Self::Image) -> Self {
+                    const LENGTH: usize = <#name as #runtime::pdo::ProcessData>::LEN;
+                    Self { #(#unpack),* }
+                }
+            }
+
+            #runtime::ethercrab!(#name, <#name as #runtime::pdo::ProcessData>::LEN);
+        }
+    }
+
+    /// The PDOs, in order.
+    fn selection(&self) -> TokenStream {
+        let (name, runtime) = (&self.name, &self.runtime);
+        let pdos = self.parts.iter().flat_map(|part| {
+            (0..part.number()).map(move |number| {
+                let (pdo, axis) = (&part.pdo, &part.axis);
+                let number = Literal::u8_suffixed(u8::try_from(number).unwrap_or(u8::MAX));
+                quote_spanned!(part.span=> #runtime::pdo::MappedPdo::of_axis::<#pdo>(#axis + #number))
+            })
+        });
+        quote! {
+            impl #runtime::pdo::ProcessImage for #name {
+                const PDOS: &'static [#runtime::pdo::MappedPdo] = &[#(#pdos),*];
+            }
+        }
+    }
+
+    /// What the device forbids, each at the field that is too much.
+    fn checks(&self) -> TokenStream {
+        let (name, runtime, first) = (&self.name, &self.runtime, self.first());
+        let of_parts = self.parts.iter().map(|part| {
+            let pdo = &part.pdo;
+            let checks = (part.place..part.place + part.number()).map(|place| {
+                let place = Literal::usize_unsuffixed(place);
+                quote_spanned!(part.span=> #runtime::pdo::check_pdo::<#name>(#place);)
+            });
+            quote_spanned! {part.span=>
+                const _: () = {
+                    const fn is_of_same<P>()
+                    where
+                        P: #runtime::pdo::PdoOf<
+                            <#first as #runtime::pdo::ProcessData>::Device,
+                            <#first as #runtime::pdo::ProcessData>::Direction,
+                        >,
+                    {
+                    }
+                    is_of_same::<#pdo>();
+                    #(#checks)*
+                };
+            }
+        });
+        let whole = quote_spanned! {self.name.span()=>
+            const _: () = #runtime::pdo::check_image::<#name>();
+        };
+        quote!(#(#of_parts)* #whole)
+    }
+
+    fn view(&self) -> TokenStream {
+        let (name, runtime, visibility) = (&self.name, &self.runtime, &self.visibility);
+        let view = format_ident!("{name}View");
+        let lines = self.parts.iter().map(Part::line);
+        quote! {
+            #runtime::view! {
+                #visibility #view of PDOs in #name, <#name as #runtime::pdo::ProcessData>::LEN;
+                #(#lines)*
+            }
+        }
+    }
+}
+
+impl Part {
+    fn of(field: &Field, offset: &TokenStream, place: usize) -> Result<Self, Fault> {
+        let settings = Settings::parse(&field.attributes, &["axis"])?;
+        let (pdo, count) = match field.array() {
+            Some((pdo, count)) => (pdo, Some(literal(count)?)),
+            None => (field.content.clone(), None),
+        };
+        let axis = settings.get("axis").map_or_else(|| quote!(0), |axis| quote!(((#axis) as u8)));
+        let (name, offset) = (field.name.clone(), offset.clone());
+        Ok(Self { name, span: field.span(), pdo, count, axis, offset, place })
+    }
+
+    /// How many PDOs it is.
+    fn number(&self) -> usize {
+        self.count.unwrap_or(1)
+    }
+
+    /// A variable for each PDO of a row.
+    fn variables(&self, count: usize) -> Vec<Ident> {
+        (0..count).map(|number| format_ident!("pdo_{number}")).collect()
+    }
+
+    /// The row of the image that it is, as an expression.
+    fn row(&self, runtime: &TokenStream, count: usize, row: &str, image: &TokenStream) -> TokenStream {
+        let (pdo, offset, row) = (&self.pdo, &self.offset, format_ident!("{row}"));
+        quote!(#runtime::pdo::place::#row::<{ <#pdo as #runtime::pdo::ProcessData>::LEN }, #count, { #offset }, LENGTH>(#image))
+    }
+
+    fn pack(&self, runtime: &TokenStream) -> TokenStream {
+        let (name, offset) = (&self.name, &self.offset);
+        let Some(count) = self.count else {
+            return quote! {
+                *#runtime::pdo::place::part_mut::<_, { #offset }, LENGTH>(&mut image) =
+                    #runtime::pdo::ProcessData::pack(self.#name);
+            };
+        };
+        let row = self.row(runtime, count, "row_mut", &quote!(&mut image));
+        let variables = self.variables(count);
+        let places: Vec<Ident> = (0..count).map(|number| format_ident!("place_{number}")).collect();
+        quote! {
+            let [#(#variables),*] = self.#name;
+            let [#(#places),*] = #row;
+            #(*#places = #runtime::pdo::ProcessData::pack(#variables);)*
+        }
+    }
+
+    fn unpack(&self, runtime: &TokenStream) -> TokenStream {
+        let (name, pdo, offset) = (&self.name, &self.pdo, &self.offset);
+        let unpack = quote!(<#pdo as #runtime::pdo::ProcessData>::unpack);
+        let Some(count) = self.count else {
+            return quote!(#name: #unpack(*#runtime::pdo::place::part::<_, { #offset }, LENGTH>(&image)));
+        };
+        let (row, variables) = (self.row(runtime, count, "row", &quote!(&image)), self.variables(count));
+        quote!(#name: { let [#(#variables),*] = #row; [#(#unpack(*#variables)),*] })
+    }
+
+    /// The line of the view.
+    fn line(&self) -> TokenStream {
+        let (name, pdo, offset) = (&self.name, &self.pdo, &self.offset);
+        let name_mut = format_ident!("{}_mut", name.to_string().trim_start_matches("r#"));
+        let content = match self.count {
+            Some(count) => {
+                let variables = self.variables(count);
+                quote!([#pdo; #(#variables),*])
+            }
+            None => quote!((#pdo)),
+        };
+        quote!(#name, #name_mut: #content => #offset;)
+    }
+}
+
+/// The number that a literal is: that many patterns are written out.
+fn literal(tokens: TokenStream) -> Result<usize, Fault> {
+    let mut tokens = tokens.into_iter();
+    let (token, rest) = (tokens.next(), tokens.next());
+    let span = token.as_ref().map_or_else(Span::call_site, TokenTree::span);
+    let number = token.and_then(|token| token.to_string().parse().ok()).filter(|_| rest.is_none());
+    match number {
+        Some(number @ 1..=255) => Ok(number),
+        _ => Err(Fault::new(span, "expected the number of PDOs in digits, from 1 to 255")),
+    }
+}

@@ -1,0 +1,58 @@
+//! What a device lets a master assign: the rules that process images are held against when code is compiled.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::doc::Doc;
+use super::literal::{hex16, number};
+use super::scope::Scope;
+use crate::model::{Direction, Index, Role, SyncManager};
+
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    let ways = [(Role::Outputs, Direction::Rx), (Role::Inputs, Direction::Tx)];
+    let managers = ways.into_iter().filter_map(|(role, way)| {
+        let manager = scope.device.sync_manager(role)?;
+        Some(item(scope, manager, way))
+    });
+    managers.collect()
+}
+
+fn item(scope: &Scope<'_>, manager: &SyncManager, way: Direction) -> TokenStream {
+    let (marker, direction) = (&scope.marker, super::pdos::direction(way));
+    let default = manager.pdos.iter().map(hex);
+    let assignable = scope.device.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_assign);
+    let slots = number(manager.slots);
+    let max_size = match manager.max_size.map(number) {
+        Some(max_size) => quote!(Some(#max_size)),
+        None => quote!(None),
+    };
+    let of_way = || scope.device.pdos.iter().filter(move |pdo| pdo.direction == way);
+    let mandatory = of_way().filter(|pdo| pdo.mandatory).map(|pdo| hex(&pdo.index));
+    let pairs: BTreeSet<(Index, Index)> = of_way()
+        .flat_map(|pdo| pdo.excludes.iter().map(|other| (pdo.index.min(*other), pdo.index.max(*other))))
+        .collect();
+    let pairs = pairs.iter().map(|(one, other)| {
+        let (one, other) = (hex(one), hex(other));
+        quote!([#one, #other])
+    });
+    let doc = Doc::default().source(manager.source.as_ref(), scope.device);
+    quote! {
+        #doc
+        impl Carries<#direction> for #marker {
+            const SYNC_MANAGER: SyncManager = SyncManager {
+                default: &[#(#default),*],
+                assignable: #assignable,
+                slots: #slots,
+                max_size: #max_size,
+                mandatory: &[#(#mandatory),*],
+                exclusive: &[#(#pairs),*],
+            };
+        }
+    }
+}
+
+fn hex(index: &Index) -> TokenStream {
+    hex16(index.0)
+}
