@@ -132,6 +132,15 @@ fn tracked(root: &Path, compilation: &Compilation) -> TokenStream {
     quote!(#(const _: &[u8] = ::core::include_bytes!(#files);)*)
 }
 
+/// A path of ours as if it stood in the user's code: so that is where an error is shown.
+fn located(path: &TokenStream, span: Span) -> TokenStream {
+    let located = path.clone().into_iter().map(|mut token| {
+        token.set_span(token.span().located_at(span));
+        token
+    });
+    located.collect()
+}
+
 /// `C887` is `c887`, `HexapodController` is `hexapod_controller`.
 fn module_name(name: &Ident) -> Ident {
     let mut id = String::new();

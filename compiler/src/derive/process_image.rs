@@ -6,9 +6,9 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
 
-use super::Fault;
 use super::record::{Field, Record};
 use super::settings::Settings;
+use super::{Fault, located};
 
 const EXAMPLE: &str = "pub struct Outputs { pub axes: [RxPdo1600; 6] }";
 
@@ -112,6 +112,7 @@ impl Image {
     fn selection(&self) -> TokenStream {
         let (name, runtime) = (&self.name, &self.runtime);
         let pdos = self.parts.iter().flat_map(|part| {
+            let runtime = located(runtime, part.span);
             (0..part.number()).map(move |number| {
                 let (pdo, axis) = (&part.pdo, &part.axis);
                 let number = Literal::u8_suffixed(u8::try_from(number).unwrap_or(u8::MAX));
@@ -129,26 +130,25 @@ impl Image {
     fn checks(&self) -> TokenStream {
         let (name, runtime, first) = (&self.name, &self.runtime, self.first());
         let of_parts = self.parts.iter().map(|part| {
-            let pdo = &part.pdo;
+            let (pdo, runtime) = (&part.pdo, &located(runtime, part.span));
             let checks = (part.place..part.place + part.number()).map(|place| {
                 let place = Literal::usize_unsuffixed(place);
                 quote_spanned!(part.span=> #runtime::pdo::check_pdo::<#name>(#place);)
             });
             quote_spanned! {part.span=>
                 const _: () = {
-                    const fn is_of_same<P>()
+                    const fn belongs<P: #runtime::pdo::Pdo>()
                     where
-                        P: #runtime::pdo::PdoOf<
-                            <#first as #runtime::pdo::ProcessData>::Device,
-                            <#first as #runtime::pdo::ProcessData>::Direction,
-                        >,
+                        P::Device: #runtime::pdo::SameDevice<<#first as #runtime::pdo::ProcessData>::Device>,
+                        P::Direction: #runtime::pdo::SameDirection<<#first as #runtime::pdo::ProcessData>::Direction>,
                     {
                     }
-                    is_of_same::<#pdo>();
+                    belongs::<#pdo>();
                     #(#checks)*
                 };
             }
         });
+        let runtime = located(runtime, self.name.span());
         let whole = quote_spanned! {self.name.span()=>
             const _: () = #runtime::pdo::check_image::<#name>();
         };

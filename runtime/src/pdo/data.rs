@@ -46,6 +46,10 @@ use crate::bytes::{ByteArray, WrongLength};
 /// assert_eq!(Target::unpack_from(&frame), Ok(target));
 /// assert!(Target::unpack_from(&frame[1..]).is_err());
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no process data of a device",
+    note = "PDOs are in the module of a device, or structs with `#[derive(Pdo)]`"
+)]
 pub trait ProcessData: Copy {
     /// The device whose data this is.
     type Device: Device;

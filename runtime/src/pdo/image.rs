@@ -1,6 +1,6 @@
 //! Images: all process data of a direction, and which PDOs a device lets it be made of.
 
-use super::{Direction, MappedPdo, Pdo, ProcessData};
+use super::{Direction, MappedPdo, ProcessData};
 use crate::Device;
 use crate::text::Text;
 
@@ -44,14 +44,23 @@ pub struct SyncManager {
     pub exclusive: &'static [[u16; 2]],
 }
 
-/// A PDO of a device, one way: what a process image of it is made of.
+/// The same device: that of all PDOs in an image.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no PDO of `{Of}` in direction `{Way}`",
-    label = "cannot be in the same image as the first field"
+    message = "a PDO of `{Self}` in an image of `{Of}`",
+    label = "another device's than the first field"
 )]
-pub trait PdoOf<Of, Way>: Pdo {}
+pub trait SameDevice<Of> {}
 
-impl<P: Pdo> PdoOf<P::Device, P::Direction> for P {}
+impl<D> SameDevice<D> for D {}
+
+/// The same direction: that of all PDOs in an image.
+#[diagnostic::on_unimplemented(
+    message = "a {Self} PDO in an image of {As} PDOs",
+    label = "goes the other way than the first field"
+)]
+pub trait SameDirection<As> {}
+
+impl<Way> SameDirection<Way> for Way {}
 
 /// Refuses a field of an image that cannot be together with what is before it: `at` is its place among the PDOs.
 ///

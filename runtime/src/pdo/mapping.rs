@@ -9,6 +9,10 @@ use crate::text::Text;
 ///
 /// Where each axis has a PDO of the same shape, there is one type for all, so that a program can go through the axes;
 /// the constants are those of the first axis, and the generated type tells the others.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no PDO",
+    note = "PDOs are in the module of a device, or structs with `#[derive(Pdo)]`"
+)]
 pub trait Pdo: ProcessData {
     /// The mapping object, 0x1600 on for received and 0x1A00 on for transmitted PDOs (CiA 301).
     const INDEX: u16;
@@ -45,9 +49,9 @@ impl MappedPdo {
                 Text::new()
                     .text("there is no axis ")
                     .number(axis as usize)
-                    .text(" for ")
+                    .text(": ")
                     .hex(P::INDEX)
-                    .text(", which is there for ")
+                    .text(" is that of the first of ")
                     .number(P::ALL.len()),
             ),
         }

@@ -25,6 +25,6 @@ pub use data::ProcessData;
 #[cfg(feature = "derive")]
 pub use devc_macros::ProcessImage;
 pub use direction::{Direction, Rx, Tx};
-pub use image::{Carries, PdoOf, ProcessImage, SyncManager, check_image, check_pdo};
+pub use image::{Carries, ProcessImage, SameDevice, SameDirection, SyncManager, check_image, check_pdo};
 pub use in_place::{InPlace, View, ViewMut};
 pub use mapping::{MappedPdo, Mapping, Pdo};
