@@ -1,7 +1,8 @@
 //! The entries of described objects.
 
 use super::context::Context;
-use super::objects::{category, sibling_id};
+use super::ids::Siblings;
+use super::objects::category;
 use super::{facts, keys, numbered, values};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Access, Address, Category, DataType, Entry, Index, Mappable, Provenance, Trigger, Value};
@@ -25,7 +26,7 @@ pub(super) fn single(
 /// The entries of a record or an array with subindex 0 before them.
 pub(super) fn several(context: &mut Context<'_>, entity: &ObjectEntity, index: Index) -> Option<Vec<Entry>> {
     let mut entries: Vec<Entry> = Vec::new();
-    let mut ids = Vec::new();
+    let mut ids = Siblings::default();
     for raw in &entity.entries {
         let at = raw.origin.header();
         let Some(range) = keys::range::<u8>(&raw.key) else {
@@ -90,7 +91,7 @@ fn member(
     raw: &Entity<RawEntry>,
     address: Address,
     name: &str,
-    ids: &mut Vec<String>,
+    ids: &mut Siblings,
 ) -> Option<Entry> {
     let none = RawEntry::default();
     let shared = if address.subindex == 0 { &none } else { &entity.value };
@@ -100,7 +101,7 @@ fn member(
     } else {
         entry(context, &written, address, name)?
     };
-    entry.id = sibling_id(name, ids);
+    entry.id = ids.claim(name);
     entry.functional &= entity.value.functional.unwrap_or(true);
     entry.source = own_source(context, &raw.facts, &entity.object.facts);
     Some(entry)

@@ -1,7 +1,7 @@
 //! Error codes.
 
 use super::context::Context;
-use super::objects::sibling_id;
+use super::ids::Siblings;
 use super::{facts, keys, values};
 use crate::model::{ErrorCode, VendorCode};
 use crate::raw::{Entity, RawError, RawVendorCode};
@@ -9,7 +9,7 @@ use crate::raw::{Entity, RawError, RawVendorCode};
 /// The error codes and ranges of them, by code, a range before what is in it.
 pub(super) fn errors(context: &mut Context<'_>, raw: Vec<Entity<RawError>>) -> Vec<ErrorCode> {
     let mut errors = Vec::new();
-    let mut ids = Vec::new();
+    let mut ids = Siblings::default();
     for Entity { key, origin, raw, facts } in raw {
         let Some(range) = keys::range::<u16>(&key) else {
             context.invalid(&key, "an error code such as 0x7121, or a range of them", origin.header());
@@ -18,7 +18,7 @@ pub(super) fn errors(context: &mut Context<'_>, raw: Vec<Entity<RawError>>) -> V
         errors.push(ErrorCode {
             code: *range.start(),
             last: *range.end(),
-            id: sibling_id(&raw.name, &mut ids),
+            id: ids.claim(&raw.name),
             name: raw.name,
             register: raw.register,
             vendor_codes: raw.vendor_codes,

@@ -1,7 +1,7 @@
 //! Homing methods.
 
 use super::context::Context;
-use super::objects::sibling_id;
+use super::ids::Siblings;
 use super::{facts, keys};
 use crate::model::{Alternative, HomingMethod, Way};
 use crate::raw::{Entity, RawDirection, RawHomingMethod};
@@ -9,7 +9,7 @@ use crate::raw::{Entity, RawDirection, RawHomingMethod};
 /// The homing methods, by number.
 pub(super) fn methods(context: &mut Context<'_>, raw: Vec<Entity<RawHomingMethod>>) -> Vec<HomingMethod> {
     let mut methods = Vec::new();
-    let mut ids = Vec::new();
+    let mut ids = Siblings::default();
     for Entity { key, origin, raw, facts } in raw {
         let Some(number) = keys::number(&key).and_then(|number| i8::try_from(number).ok()) else {
             context.invalid(&key, "the number of a homing method, -128 to 127", origin.header());
@@ -18,7 +18,7 @@ pub(super) fn methods(context: &mut Context<'_>, raw: Vec<Entity<RawHomingMethod
         methods.push(HomingMethod {
             number,
             aliases: raw.aliases,
-            id: sibling_id(&raw.name, &mut ids),
+            id: ids.claim(&raw.name),
             name: raw.name,
             method: raw.method,
             direction: raw.direction.map(|direction| match direction {

@@ -1,5 +1,7 @@
 //! Words that stand for things.
 
+use std::collections::BTreeMap;
+
 /// A name in kebab case: letters and digits of ASCII, everything else a dash.
 pub(super) fn id(name: &str) -> String {
     let mut id = String::with_capacity(name.len());
@@ -14,12 +16,22 @@ pub(super) fn id(name: &str) -> String {
     if id.is_empty() { "unnamed".to_owned() } else { id.to_owned() }
 }
 
-/// An id that no sibling has yet: the id itself, or the id with the first free number.
-pub(super) fn unique(name: &str, taken: &[String]) -> String {
-    let id = id(name);
-    if !taken.contains(&id) {
-        return id;
+/// The ids that siblings have, each with the first number that may still be free behind it.
+#[derive(Debug, Default)]
+pub(super) struct Siblings(BTreeMap<String, u32>);
+
+impl Siblings {
+    /// An id that no sibling has yet: the id itself, or the id with the first free number.
+    pub(super) fn claim(&mut self, name: &str) -> String {
+        let mut id = id(name);
+        if let Some(first) = self.0.get(&id).copied() {
+            let (number, numbered) = (first..)
+                .map(|number| (number, format!("{id}-{number}")))
+                .find(|(_, numbered)| !self.0.contains_key(numbered))
+                .unwrap_or_default();
+            self.0.insert(std::mem::replace(&mut id, numbered), number.saturating_add(1));
+        }
+        self.0.insert(id.clone(), 2);
+        id
     }
-    let numbered = (2..).map(|n: u32| format!("{id}-{n}"));
-    numbered.into_iter().find(|id| !taken.contains(id)).unwrap_or(id)
 }

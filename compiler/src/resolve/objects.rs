@@ -1,7 +1,7 @@
 //! The described part of the dictionary.
 
 use super::context::Context;
-use super::{entries, facts, ids, keys, names};
+use super::{entries, facts, keys, names};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Category, Index, Kind, Object};
 use crate::raw::{ObjectEntity, RawCategory, RawKind};
@@ -139,11 +139,4 @@ pub(super) fn category(raw: Option<RawCategory>) -> Category {
         Some(RawCategory::Conditional) => Category::Conditional,
         Some(RawCategory::Optional) | None => Category::Optional,
     }
-}
-
-/// A word for a thing that has siblings, kept unique among them.
-pub(super) fn sibling_id(name: &str, taken: &mut Vec<String>) -> String {
-    let id = ids::unique(name, taken);
-    taken.push(id.clone());
-    id
 }

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::context::Context;
-use super::objects::sibling_id;
+use super::ids::Siblings;
 use super::{facts, names, objects};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Address, Direction, Index, Mapped, Object, Pdo};
@@ -172,12 +172,12 @@ pub(super) fn mapped(
     objects: &[Object],
 ) -> Vec<Mapped> {
     let mut offset = 0;
-    let mut ids = Vec::new();
+    let mut ids = Siblings::default();
     let mut entries = Vec::new();
     for (i, entry) in raw.iter().enumerate() {
         let at = origin.value(&format!("{path}.{i}"));
         if let Some(found) = one(context, entry, at, axis, objects) {
-            let mapped = Mapped { offset, id: sibling_id(&found.id, &mut ids), ..found };
+            let mapped = Mapped { offset, id: ids.claim(&found.id), ..found };
             offset += mapped.bits;
             entries.push(mapped);
             if offset > MAX_BITS {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::context::Context;
+use super::ids::Siblings;
 use super::keys;
-use super::objects::sibling_id;
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{DataType, Meaning, Value};
 use crate::raw::{Literal, RawField};
@@ -84,7 +84,7 @@ pub(super) fn meanings(
     origin: &Origin,
     path: &str,
 ) -> Vec<Meaning> {
-    let mut ids = Vec::new();
+    let mut ids = Siblings::default();
     let mut numbered: Vec<(i64, &RawField)> = Vec::new();
     for (key, field) in raw {
         match keys::number(key) {
@@ -97,7 +97,7 @@ pub(super) fn meanings(
         .into_iter()
         .map(|(value, field)| Meaning {
             value,
-            id: sibling_id(&field.name, &mut ids),
+            id: ids.claim(&field.name),
             name: field.name.clone(),
             about: field.about.clone(),
         })

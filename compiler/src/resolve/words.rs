@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::context::Context;
-use super::objects::sibling_id;
+use super::ids::Siblings;
 use super::{facts, keys, objects, values};
 use crate::model::{Field, Object, Word};
 use crate::raw::{Entity, RawField, RawWord};
@@ -53,7 +53,7 @@ pub(super) fn fields(
         }
     }
     ranged.sort_by_key(|(range, ..)| *range.start());
-    let mut ids = Vec::new();
+    let mut ids = Siblings::default();
     ranged
         .into_iter()
         .map(|(range, key, raw)| {
@@ -61,7 +61,7 @@ pub(super) fn fields(
             Field {
                 low: *range.start(),
                 high: *range.end(),
-                id: sibling_id(&raw.name, &mut ids),
+                id: ids.claim(&raw.name),
                 name: raw.name.clone(),
                 about: raw.about.clone(),
                 values: values::meanings(context, &raw.values, origin, &format!("{path}.values")),

@@ -4,6 +4,8 @@ mod axes;
 mod prose;
 mod value;
 
+use axes::OfAxes;
+
 use super::inline::{code, link, small, text};
 use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, Source};
 
@@ -13,13 +15,14 @@ pub(super) struct Context<'a> {
     /// The device.
     pub(super) device: &'a Device,
     /// All devices in the same document.
-    members: &'a [Device],
+    members: &'a [Context<'a>],
+    of_axes: OfAxes<'a>,
 }
 
 impl<'a> Context<'a> {
     /// A device in a document with others of its family: what it names but lacks may be described for them.
-    pub(super) fn new(device: &'a Device, members: &'a [Device]) -> Self {
-        Self { device, members }
+    pub(super) fn new(device: &'a Device, members: &'a [Context<'a>]) -> Self {
+        Self { device, members, of_axes: OfAxes::new(device) }
     }
 
     /// The anchor of an object; that of the first axis stands for all.
@@ -55,7 +58,7 @@ impl<'a> Context<'a> {
     /// A label, linked to what the index names, in this device or else in another of the document.
     fn linked(&self, index: Index, label: &str) -> String {
         let own = self.anchor(index);
-        let others = || self.members.iter().find_map(|device| Context::new(device, &[]).anchor(index));
+        let others = || self.members.iter().find_map(|member| member.anchor(index));
         own.or_else(others).map_or_else(|| label.into(), |anchor| link(label, anchor))
     }
 
@@ -156,8 +159,8 @@ impl<'a> Context<'a> {
     pub(super) fn unit(&self, entry: &Entry) -> String {
         let Some(id) = entry.unit.as_deref() else { return String::new() };
         let symbols = symbols(self.device, id);
-        let others = self.members.iter().filter_map(|member| member.unit(id));
-        let label = match self.members.iter().all(|member| symbols == self::symbols(member, id)) {
+        let others = self.members.iter().filter_map(|member| member.device.unit(id));
+        let label = match self.members.iter().all(|member| symbols == self::symbols(member.device, id)) {
             _ if symbols.is_empty() => id.to_owned(),
             true => symbols.join(", "),
             false => others.map(|unit| unit.quantity.as_str()).next().unwrap_or(id).to_owned(),

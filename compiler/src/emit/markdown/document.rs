@@ -81,8 +81,8 @@ pub(super) fn document(family: &Family) -> String {
 
 fn reference(family: &Family) -> Result<String, minijinja::Error> {
     let environment = environment()?;
-    let bodies =
-        family.members.iter().map(|device| body(&environment, &Context::new(device, &family.members)));
+    let members: Vec<Context<'_>> = family.members.iter().map(|device| Context::new(device, &[])).collect();
+    let bodies = family.members.iter().map(|device| body(&environment, &Context::new(device, &members)));
     let bodies: Vec<String> = bodies.collect::<Result<_, _>>()?;
     match family.members.as_slice() {
         [alone] => environment.render_named_str("document", ALONE, front(alone, bodies.concat())),

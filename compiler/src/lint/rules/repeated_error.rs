@@ -1,6 +1,8 @@
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, ErrorCode};
 
 rule! {
     /// An error code that is listed twice has two meanings. Single codes inside a range are fine: they say more
@@ -23,16 +25,24 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for (i, second) in device.errors.iter().enumerate() {
-        let same = |first: &&crate::model::ErrorCode| {
-            let equal = (first.code, first.last) == (second.code, second.last);
-            let crossing = first.code < second.code && second.code <= first.last && first.last < second.last;
-            equal || crossing
+    let mut known = BTreeMap::new();
+    let mut ranges: Vec<(usize, &ErrorCode)> = Vec::new();
+    for (place, second) in device.errors.iter().enumerate() {
+        let crosses = |(_, first): &&(usize, &ErrorCode)| {
+            first.code < second.code && second.code <= first.last && first.last < second.last
         };
-        let Some(first) = device.errors.iter().take(i).find(same) else { continue };
-        let message = format!("0x{:04X} is `{}` and `{}`", second.code, first.name, second.name);
-        let diagnostic = Diagnostic::new(&RULE, message, second.origin.header(), "again here")
-            .label(first.origin.header(), "first here");
-        report.push(format!("errors.0x{:04X}", second.code), diagnostic);
+        let equal = known.get(&(second.code, second.last)).copied();
+        let crossing = ranges.iter().find(crosses).copied();
+        if let Some((_, first)) = equal.into_iter().chain(crossing).min_by_key(|(place, _)| *place) {
+            report.push(format!("errors.0x{:04X}", second.code), repeated(first, second));
+        }
+        known.entry((second.code, second.last)).or_insert((place, second));
+        ranges.extend(second.is_range().then_some((place, second)));
     }
+}
+
+fn repeated(first: &ErrorCode, second: &ErrorCode) -> Diagnostic {
+    let message = format!("0x{:04X} is `{}` and `{}`", second.code, first.name, second.name);
+    Diagnostic::new(&RULE, message, second.origin.header(), "again here")
+        .label(first.origin.header(), "first here")
 }

@@ -1,7 +1,28 @@
 //! What is written once for all axes: the first axis stands for the others.
 
+use std::collections::BTreeMap;
+
 use super::Context;
-use crate::model::{Index, Object, Pdo};
+use crate::model::{Device, Index, Object, Pdo};
+
+/// The objects that axes have, by the id that those of all axes share, in the order of the dictionary.
+#[derive(Debug)]
+pub(super) struct OfAxes<'a>(BTreeMap<&'a str, Vec<&'a Object>>);
+
+impl<'a> OfAxes<'a> {
+    pub(super) fn new(device: &'a Device) -> Self {
+        let mut of_axes: BTreeMap<&str, Vec<&Object>> = BTreeMap::new();
+        for object in device.objects.iter().filter(|object| object.axis.is_some()) {
+            of_axes.entry(&object.id).or_default().push(object);
+        }
+        Self(of_axes)
+    }
+
+    /// The objects of axes that are the same as this one, itself included if it is one of an axis.
+    fn repeating(&self, object: &Object) -> &[&'a Object] {
+        self.0.get(object.id.as_str()).map_or(&[], Vec::as_slice)
+    }
+}
 
 impl<'a> Context<'a> {
     /// Whether there is more than one axis.
@@ -39,8 +60,7 @@ impl<'a> Context<'a> {
 
     /// The index of the object of the first axis that this one repeats; its own if it repeats none.
     pub(in crate::emit::markdown) fn leading_object(&self, object: &Object) -> Index {
-        let same = |other: &&Object| other.axis.is_some() && other.id == object.id;
-        let leading = object.axis.and_then(|_| self.device.objects.iter().find(same));
+        let leading = object.axis.and_then(|_| self.of_axes.repeating(object).first());
         leading.map_or(object.index, |leading| leading.index)
     }
 
@@ -51,9 +71,8 @@ impl<'a> Context<'a> {
 
     /// The object as it is on each axis.
     pub(in crate::emit::markdown) fn on_axes(&self, object: &Object) -> Vec<Option<&'a Object>> {
-        let on = |number| {
-            self.device.objects.iter().find(|other| other.axis == Some(number) && other.id == object.id)
-        };
+        let all = self.of_axes.repeating(object);
+        let on = |number| all.iter().find(|other| other.axis == Some(number)).copied();
         self.device.axes.iter().map(|axis| on(axis.number)).collect()
     }
 
