@@ -58,55 +58,9 @@ fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<
 
 fn device(id: String, tree: &Table, diagnostics: &mut Diagnostics) -> Option<RawDevice> {
     let mut sections = Sections { tree, known: Vec::new(), diagnostics };
-    let head = sections.required("device");
-    let identity = sections.required("identity");
-    let device = RawDevice {
-        id,
-        eeprom: sections.single("eeprom"),
-        axes: sections.single("axes"),
-        mailbox: sections.single("mailbox"),
-        coordinates: sections.single("coordinates"),
-        dead_time: sections.single("dead-time"),
-        documents: sections.map("documents"),
-        areas: sections.map("areas"),
-        objects: sections.objects(),
-        rx_pdos: sections.map("rx-pdos"),
-        tx_pdos: sections.map("tx-pdos"),
-        sync_managers: sections.map("sync-managers"),
-        words: sections.map("words"),
-        states: sections.map("states"),
-        commands: sections.map("commands"),
-        transitions: sections.map("transitions"),
-        device_control: sections.single("device-control"),
-        communication_states: sections.map("communication-states"),
-        communication_transitions: sections.map("communication-transitions"),
-        modes: sections.map("modes"),
-        mode_changes: sections.list("mode-changes"),
-        stop_options: sections.list("stop-options"),
-        errors: sections.map("errors"),
-        vendor_codes: sections.map("vendor-codes"),
-        units: sections.map("units"),
-        sync_modes: sections.map("sync-modes"),
-        cycle_times: sections.map("cycle-times"),
-        leds: sections.map("leds"),
-        connectors: sections.map("connectors"),
-        parameters: sections.map("parameters"),
-        homing_methods: sections.map("homing-methods"),
-        registers: sections.map("registers"),
-        al_status_codes: sections.map("al-status-codes"),
-        telegrams: sections.map("telegrams"),
-        configurations: sections.map("configurations"),
-        limits: sections.map("limits"),
-        master_settings: sections.list("master-settings"),
-        procedures: sections.map("procedures"),
-        remarks: sections.list("remarks"),
-        errata: sections.list("errata"),
-        lints: sections.lints(),
-        head: head?,
-        identity: identity?,
-    };
+    let device = sections.device(id);
     sections.finish();
-    Some(device)
+    device
 }
 
 /// The top level of the tree while it is being read.
@@ -117,6 +71,56 @@ struct Sections<'t> {
 }
 
 impl Sections<'_> {
+    fn device(&mut self, id: String) -> Option<RawDevice> {
+        let head = self.required("device");
+        let identity = self.required("identity");
+        Some(RawDevice {
+            id,
+            eeprom: self.single("eeprom"),
+            axes: self.single("axes"),
+            mailbox: self.single("mailbox"),
+            coordinates: self.single("coordinates"),
+            dead_time: self.single("dead-time"),
+            documents: self.map("documents"),
+            areas: self.map("areas"),
+            objects: self.objects(),
+            rx_pdos: self.map("rx-pdos"),
+            tx_pdos: self.map("tx-pdos"),
+            sync_managers: self.map("sync-managers"),
+            words: self.map("words"),
+            states: self.map("states"),
+            commands: self.map("commands"),
+            transitions: self.map("transitions"),
+            device_control: self.single("device-control"),
+            communication_states: self.map("communication-states"),
+            communication_transitions: self.map("communication-transitions"),
+            modes: self.map("modes"),
+            mode_changes: self.list("mode-changes"),
+            stop_options: self.list("stop-options"),
+            errors: self.map("errors"),
+            vendor_codes: self.map("vendor-codes"),
+            units: self.map("units"),
+            sync_modes: self.map("sync-modes"),
+            cycle_times: self.map("cycle-times"),
+            leds: self.map("leds"),
+            connectors: self.map("connectors"),
+            parameters: self.map("parameters"),
+            homing_methods: self.map("homing-methods"),
+            registers: self.map("registers"),
+            al_status_codes: self.map("al-status-codes"),
+            telegrams: self.map("telegrams"),
+            configurations: self.map("configurations"),
+            limits: self.map("limits"),
+            master_settings: self.list("master-settings"),
+            procedures: self.map("procedures"),
+            remarks: self.list("remarks"),
+            errata: self.list("errata"),
+            lints: self.lints(),
+            head: head?,
+            identity: identity?,
+        })
+    }
+
     fn take(&mut self, name: &'static str) -> Option<Member> {
         self.known.push(name);
         self.tree.get(name).cloned()
@@ -265,4 +269,24 @@ fn per_axis(
 /// The members of a table inside a table.
 fn inner<'t>(table: &'t Table, name: &str) -> &'t [Member] {
     table.get(name).and_then(|member| member.node.table()).map_or(&[], |table| &table.members)
+}
+
+#[cfg(all(test, feature = "schema"))]
+mod tests {
+    use super::*;
+    use crate::raw::schema::sections;
+    use crate::source::FileId;
+
+    #[test]
+    fn the_schema_has_the_sections_that_are_read() {
+        let at = Location { file: FileId(0), start: 0, end: 0 };
+        let tree = Table { at, members: Vec::new() };
+        let mut sections_read =
+            Sections { tree: &tree, known: Vec::new(), diagnostics: &mut Diagnostics::default() };
+        sections_read.device(String::new());
+        sections_read.known.sort_unstable();
+        let mut described: Vec<&str> = sections().collect();
+        described.sort_unstable();
+        assert_eq!(sections_read.known, described);
+    }
 }

@@ -43,6 +43,12 @@ pub fn schema() -> String {
     format!("{root:#}\n")
 }
 
+/// The sections of a device, by name.
+#[cfg(test)]
+pub(super) fn sections() -> impl Iterator<Item = &'static str> {
+    SECTIONS.iter().map(|section| section.name)
+}
+
 fn generator() -> SchemaGenerator {
     SchemaSettings::draft2020_12().for_deserialize().into_generator()
 }

@@ -12,10 +12,14 @@ pub(super) struct Described {
     pub(super) overlays: Vec<(Index, ObjectEntity)>,
 }
 
+/// How many entries a dictionary may have: more than any drive has, and few enough to be held in memory. A few lines
+/// of a description can ask for many more, by ranges of subindices and by axes.
+const MOST_ENTRIES: usize = 500_000;
+
 /// Resolves each described object on each axis; sets aside what is said of objects that devc makes.
 pub(super) fn objects(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Described {
     let mut described = Described { objects: Vec::new(), overlays: Vec::new() };
-    for entity in raw {
+    for entity in within_limit(context, raw) {
         let at = entity.object.origin.header();
         let Some(index) = context.names.key(&entity.object.key) else {
             context.invalid(&entity.object.key, "an index such as 0x6040", at);
@@ -34,6 +38,26 @@ pub(super) fn objects(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Desc
     described.objects.sort_by_key(|object| object.index);
     report_duplicates(context, &described.objects);
     described
+}
+
+/// The objects, or none if they would have too many entries on all axes together.
+fn within_limit(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Vec<ObjectEntity> {
+    let mut total = 0;
+    let excess = raw.iter().find(|entity| {
+        let index = context.names.key(&entity.object.key);
+        let copies = index.map_or(0, |index| context.copies(index).len());
+        let ranges = entity.entries.iter().filter_map(|entry| keys::range::<u8>(&entry.key));
+        total += copies * (1 + ranges.map(Iterator::count).sum::<usize>());
+        total > MOST_ENTRIES
+    });
+    let Some(at) = excess.map(|entity| entity.object.origin.header()) else { return raw };
+    let message = format!("the dictionary has more than the {MOST_ENTRIES} entries that devc holds");
+    let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, at, "too much with what stands before");
+    context.diagnostics.push(match context.axes.len() {
+        0 | 1 => fault,
+        axes => fault.note(format!("an object of an axis counts {axes} times, once for each axis")),
+    });
+    Vec::new()
 }
 
 /// The object of this index, among objects in the order of their indices.

@@ -94,16 +94,17 @@ fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
     let titles =
         ["SM", "Carries", "Address", "Size", "At most", "Control", "PDOs by default", "Slots", "Source"];
     Table::of(titles, managers, |manager| {
+        let SyncManager { role, address, size, max_size, control, pdos, slots, source, origin: _ } = manager;
         [
-            manager.role.number().to_string(),
-            carries(manager.role).into(),
-            code(format!("0x{:04X}", manager.address)),
-            bytes(manager.size.into()),
-            manager.max_size.map_or(String::new(), |size| bytes(size.into())),
-            code(format!("0x{:02X}", manager.control)),
-            list(manager.pdos.iter().map(|pdo| context.index(*pdo))),
-            slots(manager),
-            context.source(manager.source.as_ref()),
+            role.number().to_string(),
+            carries(*role).into(),
+            code(format!("0x{address:04X}")),
+            bytes((*size).into()),
+            max_size.map_or(String::new(), |size| bytes(size.into())),
+            code(format!("0x{control:02X}")),
+            list(pdos.iter().map(|pdo| context.index(*pdo))),
+            if *slots == 0 { String::new() } else { slots.to_string() },
+            context.source(source.as_ref()),
         ]
     })
 }
@@ -115,10 +116,6 @@ fn carries(role: Role) -> &'static str {
         Role::Outputs => "outputs: process data from the master",
         Role::Inputs => "inputs: process data to the master",
     }
-}
-
-fn slots(manager: &SyncManager) -> String {
-    if manager.slots == 0 { String::new() } else { manager.slots.to_string() }
 }
 
 fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {

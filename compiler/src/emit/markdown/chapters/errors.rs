@@ -7,7 +7,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{anchor, code, link, list, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{ErrorCode, Index, VendorCode};
+use crate::model::{ErrorCode, Index, Meaning, VendorCode};
 
 const ERROR_REGISTER: Index = Index(0x1001);
 
@@ -67,9 +67,9 @@ fn error_table(context: &Context<'_>, errors: &[ErrorCode]) -> Table {
 }
 
 /// What a vendor's code means, then what can have caused it.
-fn meaning(context: &Context<'_>, vendor: &VendorCode) -> String {
-    let about = vendor.about.iter().map(|about| context.prose(about));
-    let causes = vendor.causes.iter().map(|cause| format!("cause {}", value(context, cause)));
+fn meaning(context: &Context<'_>, about: Option<&str>, causes: &[Meaning]) -> String {
+    let about = about.iter().map(|about| context.prose(about));
+    let causes = causes.iter().map(|cause| format!("cause {}", value(context, cause)));
     about.chain(causes).collect::<Vec<_>>().join("<br>")
 }
 
@@ -90,13 +90,14 @@ fn vendor_id(number: u32) -> String {
 fn vendor_table(context: &Context<'_>, vendor_codes: &[VendorCode]) -> Table {
     let titles = ["Code", "Name", "Meaning", "Reported as", "Source"];
     Table::of(titles, vendor_codes, |vendor| {
-        let errors = context.device.errors.iter().filter(|error| error.vendor_codes.contains(&vendor.code));
+        let VendorCode { code: number, name, about, causes, source, origin: _ } = vendor;
+        let errors = context.device.errors.iter().filter(|error| error.vendor_codes.contains(number));
         [
-            format!("{}{}", anchor(vendor_id(vendor.code)), code(vendor.code)),
-            format!("**{}**", text(&vendor.name)),
-            meaning(context, vendor),
+            format!("{}{}", anchor(vendor_id(*number)), code(number)),
+            format!("**{}**", text(name)),
+            meaning(context, about.as_deref(), causes),
             list(errors.map(|error| link(codes(error), context.error_id(error)))),
-            context.source(vendor.source.as_ref()),
+            context.source(source.as_ref()),
         ]
     })
 }

@@ -46,14 +46,16 @@ impl Chapter for View {
 fn table(context: &Context<'_>, registers: &[Register]) -> Table {
     let titles = ["Address", "Register", "Length", "Master", "Drive", "Notes", "Source"];
     Table::of(titles, registers, |register| {
+        // The fields have a table of their own.
+        let Register { address, length, name, ecat, drive, fields: _, about, source, origin: _ } = register;
         [
-            hex(register.address),
-            format!("**{}**", text(&register.name)),
-            bytes(register.length.into()),
-            access(register.ecat).into(),
-            access(register.drive).into(),
-            context.optional(register.about.as_deref()),
-            context.source(register.source.as_ref()),
+            hex(*address),
+            format!("**{}**", text(name)),
+            bytes((*length).into()),
+            access(*ecat).into(),
+            access(*drive).into(),
+            context.optional(about.as_deref()),
+            context.source(source.as_ref()),
         ]
     })
 }
@@ -81,12 +83,13 @@ fn bits(context: &Context<'_>, register: &Register) -> FieldsView {
 }
 
 fn message(context: &Context<'_>, telegram: &Telegram) -> FieldsView {
-    let address = telegram.address.map_or(String::new(), |address| format!(" at {}", hex(address)));
+    let Telegram { id: _, name, address, fields, about, source, origin: _ } = telegram;
+    let address = address.map_or(String::new(), |address| format!(" at {}", hex(address)));
     FieldsView {
-        title: format!("{}{address}", text(&telegram.name)),
-        about: context.paragraphs(telegram.about.as_deref()),
-        fields: fields(context, "Byte", &telegram.fields),
-        source: context.source_line(telegram.source.as_ref()),
+        title: format!("{}{address}", text(name)),
+        about: context.paragraphs(about.as_deref()),
+        fields: self::fields(context, "Byte", fields),
+        source: context.source_line(source.as_ref()),
     }
 }
 

@@ -6,7 +6,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, sentence, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{MasterSetting, Parameter, Procedure, Step, ValueRange};
+use crate::model::{MasterSetting, Parameter, Procedure, Step, Value, ValueRange};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -64,21 +64,23 @@ fn master_settings(context: &Context<'_>, settings: &[MasterSetting]) -> Table {
 fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
     let titles = ["Parameter", "Name", "Object", "On delivery", "Range", "Unit", "What it does", "Source"];
     Table::of(titles, parameters, |parameter| {
+        let Parameter { id, name, address, about, default, min, max, symbol, values, source, origin: _ } =
+            parameter;
         [
-            code(&parameter.id),
-            format!("**{}**", text(&parameter.name)),
-            parameter.address.map_or(String::new(), |address| context.exact(address)),
-            parameter.default.as_ref().map_or(String::new(), code),
-            range(parameter),
-            parameter.symbol.as_deref().map_or(String::new(), text),
-            effect(context, parameter),
-            context.source(parameter.source.as_ref()),
+            code(id),
+            format!("**{}**", text(name)),
+            address.map_or(String::new(), |address| context.exact(address)),
+            default.as_ref().map_or(String::new(), code),
+            range(min.as_ref(), max.as_ref()),
+            symbol.as_deref().map_or(String::new(), text),
+            effect(context, about.as_deref(), values),
+            context.source(source.as_ref()),
         ]
     })
 }
 
-fn range(parameter: &Parameter) -> String {
-    match (&parameter.min, &parameter.max) {
+fn range(min: Option<&Value>, max: Option<&Value>) -> String {
+    match (min, max) {
         (Some(min), Some(max)) => format!("{} to {}", code(min), code(max)),
         (Some(min), None) => format!("{} or more", code(min)),
         (None, Some(max)) => format!("up to {}", code(max)),
@@ -86,14 +88,14 @@ fn range(parameter: &Parameter) -> String {
     }
 }
 
-fn effect(context: &Context<'_>, parameter: &Parameter) -> String {
-    let about = parameter.about.iter().map(|about| context.prose(about));
-    let values = parameter.values.iter().map(|range| values(context, range));
+fn effect(context: &Context<'_>, about: Option<&str>, values: &[ValueRange]) -> String {
+    let about = about.iter().map(|about| context.prose(about));
+    let values = values.iter().map(|range| range_meaning(context, range));
     about.chain(values).collect::<Vec<_>>().join("<br>")
 }
 
 /// A value, or a range of values, with what it means.
-fn values(context: &Context<'_>, range: &ValueRange) -> String {
+fn range_meaning(context: &Context<'_>, range: &ValueRange) -> String {
     let about = range.about.as_ref().map_or(String::new(), |about| format!(": {}", context.prose(about)));
     let numbers = if range.first == range.last {
         code(range.first)

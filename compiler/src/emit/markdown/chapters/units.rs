@@ -59,25 +59,26 @@ fn groups(unit: &Unit) -> Vec<(Vec<u8>, &AxisUnit)> {
 }
 
 fn row(context: &Context<'_>, unit: &Unit, first: bool, axes: &[u8], on_axis: &AxisUnit) -> [String; 9] {
+    let Unit { id, quantity, axes: _, factor, path, about, source, origin: _ } = unit;
+    let AxisUnit { symbol, scale } = on_axis;
     let once = |cell: String| if first { cell } else { String::new() };
     [
-        once(format!("{}**{}**", anchor(format!("unit-{}", unit.id)), text(&unit.quantity))),
-        once(path(unit.path).into()),
+        once(format!("{}**{}**", anchor(format!("unit-{id}")), text(quantity))),
+        once(path.map_or("", travel).into()),
         if axes.is_empty() { String::new() } else { context.axis_range(axes) },
-        text(&on_axis.symbol),
-        on_axis.scale.map_or_else(|| "1".into(), one_unit),
-        on_axis.scale.map_or(String::new(), |scale| example(scale, &on_axis.symbol)),
-        once(unit.factor.map_or(String::new(), |address| context.address(address))),
-        once(context.optional(unit.about.as_deref())),
-        context.source(unit.source.as_ref()),
+        text(symbol),
+        scale.map_or_else(|| "1".into(), one_unit),
+        scale.map_or(String::new(), |scale| example(scale, symbol)),
+        once(factor.map_or(String::new(), |address| context.address(address))),
+        once(context.optional(about.as_deref())),
+        context.source(source.as_ref()),
     ]
 }
 
-fn path(path: Option<Path>) -> &'static str {
+fn travel(path: Path) -> &'static str {
     match path {
-        None => "",
-        Some(Path::Pdo) => "process data",
-        Some(Path::Sdo) => "SDOs",
+        Path::Pdo => "process data",
+        Path::Sdo => "SDOs",
     }
 }
 

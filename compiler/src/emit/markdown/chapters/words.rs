@@ -43,13 +43,14 @@ impl Chapter for View {
 }
 
 fn word_view(context: &Context<'_>, word: &Word) -> WordView {
+    let Word { id, name, address, bits, fields, about, source, origin: _ } = word;
     WordView {
-        anchor: context.word_id(&word.id),
-        name: text(&word.name),
-        facts: format!("The {} of {}.", width(word.bits), context.named(word.address)),
-        about: context.paragraphs(word.about.as_deref()),
-        fields: table("Bit", &word.fields, |field| meaning(context, word, field)),
-        source: context.source_line(word.source.as_ref()),
+        anchor: context.word_id(id),
+        name: text(name),
+        facts: format!("The {} of {}.", width(*bits), context.named(*address)),
+        about: context.paragraphs(about.as_deref()),
+        fields: table("Bit", fields, |field| meaning(context, word, field)),
+        source: context.source_line(source.as_ref()),
     }
 }
 
@@ -87,10 +88,24 @@ fn meaning(context: &Context<'_>, word: &Word, field: &Field) -> String {
 
 /// What is to be said of a field, a line each.
 pub(super) fn statements(context: &Context<'_>, field: &Field) -> Vec<String> {
-    let about = field.about.iter().map(|about| context.prose(about));
-    let values = field.values.iter().map(|meaning| value(context, meaning));
-    let rising = field.rising.iter().map(|effect| format!("0 → 1: {}", context.prose(effect)));
-    let falling = field.falling.iter().map(|effect| format!("1 → 0: {}", context.prose(effect)));
+    // Place and name have cells of their own; what depends on the mode follows these lines.
+    let Field {
+        low: _,
+        high: _,
+        id: _,
+        name: _,
+        about,
+        values,
+        rising,
+        falling,
+        reserved: _,
+        per_mode: _,
+        path: _,
+    } = field;
+    let about = about.iter().map(|about| context.prose(about));
+    let values = values.iter().map(|meaning| value(context, meaning));
+    let rising = rising.iter().map(|effect| format!("0 → 1: {}", context.prose(effect)));
+    let falling = falling.iter().map(|effect| format!("1 → 0: {}", context.prose(effect)));
     about.chain(values).chain(rising).chain(falling).collect()
 }
 
