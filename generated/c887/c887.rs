@@ -1338,6 +1338,8 @@ impl SynchronizationType {
     }
 }
 
+::devc_runtime::named!(SynchronizationType, "{}");
+
 ::devc_runtime::value!(SynchronizationType as u16);
 
 /// `0x1C32:08` Get cycle time.
@@ -1366,6 +1368,8 @@ impl GetCycleTime {
         }
     }
 }
+
+::devc_runtime::named!(GetCycleTime, "{}");
 
 ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -1403,6 +1407,8 @@ impl SmInputParameterSynchronizationType {
         }
     }
 }
+
+::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
 
 ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
@@ -1453,6 +1459,8 @@ impl HexapodState {
     }
 }
 
+::devc_runtime::named!(HexapodState, "{}");
+
 ::devc_runtime::value!(HexapodState as i32);
 
 /// An error code of Physik Instrumente's own system.
@@ -1463,11 +1471,15 @@ impl VendorCode {
     /// COMMAND\_NOT\_ALLOWED\_IN\_EXTERNAL\_MODE.
     ///
     /// A GCS command that is blocked while the EtherCAT interface is active.
+    ///
+    /// Source: p. 5, p. 20.
     pub const COMMAND_NOT_ALLOWED_IN_EXTERNAL_MODE: Self = Self(700);
 
     /// INVALID\_MODE\_OF\_OPERATION.
     ///
     /// A mode of operation other than 0, 6 and 8.
+    ///
+    /// Source: p. 11, p. 20.
     pub const INVALID_MODE_OF_OPERATION: Self = Self(715);
 
     /// What the value stands for, if the description says so.
@@ -1478,7 +1490,18 @@ impl VendorCode {
             _ => None,
         }
     }
+
+    /// What the description says of the value; empty if nothing.
+    pub const fn text(self) -> &'static str {
+        match self.0 {
+            700 => "A GCS command that is blocked while the EtherCAT interface is active.",
+            715 => "A mode of operation other than 0, 6 and 8.",
+            _ => "",
+        }
+    }
 }
+
+::devc_runtime::named!(VendorCode, "{}");
 
 ::devc_runtime::value!(VendorCode as u32);
 
@@ -1978,7 +2001,33 @@ impl Carries<Tx> for C887 {
     };
 }
 
-/// How the statusword shows the states.
+/// How the statusword shows the states, bit 7 first.
+///
+/// *Not ready to switch on* `x000 0000`: The electronics have power and the drive starts up or tests
+/// itself. (p. 9, p. 13)
+///
+/// *Switch on disabled* `x100 0000`: The drive has started and can be set up; the power stage must not
+/// be switched on. Where the axes are after power-on or a reboot. (p. 8, p. 9, p. 13)
+///
+/// *Ready to switch on* `x010 0001`: The supply of the power stage may be switched on; the motor has no
+/// torque. (p. 9, p. 13)
+///
+/// *Switched on* `x011 0011`: The power stage is supplied and ready; the motor has no torque. (p. 9, p.
+/// 13)
+///
+/// *Operation enabled* `x011 0111`: The motor has torque and the drive follows its set values in the
+/// mode that is active. The hexapod moves only while all axes are in this state. The mode of operation
+/// is selected in it. GCS commands that start motion, as MOV, or stop it, as HLT, STP and #24, and WPA
+/// are not carried out. No GCS command leads out of it. (p. 5, p. 9, p. 11, p. 13 to 17)
+///
+/// *Quick stop active* `x001 0111`: The hexapod stops on the quick-stop ramp, or has stopped, and
+/// stays. (p. 9, p. 13, p. 17)
+///
+/// *Fault reaction active* `x0xx 1111`: An error was found, and the hexapod stops on the quick-stop
+/// ramp. (p. 9, p. 13, p. 17)
+///
+/// *Fault* `x000 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
+/// leads out. All axes stay here until the master acknowledges. (p. 9, p. 12, p. 13)
 pub const STATES: StatePatterns = StatePatterns(&[
     (State::NotReadyToSwitchOn, Pattern { mask: 0x007F, value: 0x0000 }),
     (State::SwitchOnDisabled, Pattern { mask: 0x007F, value: 0x0040 }),
@@ -1990,7 +2039,54 @@ pub const STATES: StatePatterns = StatePatterns(&[
     (State::Fault, Pattern { mask: 0x007F, value: 0x0008 }),
 ]);
 
+/// What the description says of a state; empty if nothing.
+pub const fn state_text(state: State) -> &'static str {
+    match state {
+        State::NotReadyToSwitchOn => "The electronics have power and the drive starts up or tests itself.",
+        State::SwitchOnDisabled =>
+            "The drive has started and can be set up; the power stage must not be switched on. Where the axes are after power-on or a reboot.",
+        State::ReadyToSwitchOn =>
+            "The supply of the power stage may be switched on; the motor has no torque.",
+        State::SwitchedOn => "The power stage is supplied and ready; the motor has no torque.",
+        State::OperationEnabled =>
+            "The motor has torque and the drive follows its set values in the mode that is active. The hexapod moves only while all axes are in this state. The mode of operation is selected in it. GCS commands that start motion, as MOV, or stop it, as HLT, STP and #24, and WPA are not carried out. No GCS command leads out of it.",
+        State::QuickStopActive => "The hexapod stops on the quick-stop ramp, or has stopped, and stays.",
+        State::FaultReactionActive => "An error was found, and the hexapod stops on the quick-stop ramp.",
+        State::Fault =>
+            "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. All axes stay here until the master acknowledges.",
+    }
+}
+
 /// The transitions of the drive: number, states before, state after, axes that have to make it.
+///
+/// *0*: The drive is switched on or reset, starts up and tests itself.
+///
+/// *1*: The drive has started; communication is possible.
+///
+/// *3*: The power stage gets its supply.
+///
+/// *4*: The drive function starts; set values from before are cleared.
+///
+/// *5*: The drive function ends.
+///
+/// *6*: The supply of the power stage may be switched off.
+///
+/// *8*: The drive function ends and the supply of the power stage may be switched off.
+///
+/// *9*: The drive function ends and the supply of the power stage may be switched off.
+///
+/// *10*: The supply of the power stage may be switched off.
+///
+/// *11*: The quick stop begins.
+///
+/// *12*: The drive function ends and the supply of the power stage may be switched off.
+///
+/// *13*: The fault reaction begins, on all axes.
+///
+/// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
+/// switched off.
+///
+/// *15*: The fault is acknowledged. The error register and the error codes are cleared.
 pub const TRANSITIONS: &[Transition] = {
     const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
         Transition { number, from: StateSet::of(from), to, coupling }
@@ -2177,6 +2273,19 @@ pub enum ModeOfOperation {
     Csp = 8,
 }
 
+impl ModeOfOperation {
+    /// What the drive does in the mode; empty if the description does not say.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::NoMode =>
+                "A safe state to start from: target positions are ignored. Coordinate systems can be activated in no other mode.",
+            Self::Hm => "Makes a reference move of the hexapod. Selected on the first axis, active on all.",
+            Self::Csp =>
+                "The master sends Cartesian target positions every cycle and controls the position. Selected on the first axis, active on all.",
+        }
+    }
+}
+
 impl Mode for ModeOfOperation {
     fn code(self) -> i8 {
         self as i8
@@ -2197,6 +2306,12 @@ impl Mode for ModeOfOperation {
             Self::Hm => "Homing mode",
             Self::Csp => "Cyclic synchronous position mode",
         }
+    }
+}
+
+impl core::fmt::Display for ModeOfOperation {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -2410,7 +2525,7 @@ impl error::ErrorCode for ErrorCode {
             code: u16,
             name: &'static str,
             register: Option<u8>,
-            vendor_codes: &'static [i32],
+            vendor_codes: &'static [u32],
             text: &'static str,
         ) -> ErrorInfo {
             ErrorInfo { code, name, register, vendor_codes, text }

@@ -955,7 +955,7 @@ pub mod double {
         /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
-        pub const fn homing_method(axis: Axis) -> Entry<Double, i8, ReadWrite> {
+        pub const fn homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadWrite> {
             axis.entry(0x6098, 0x800, 0)
         }
 
@@ -1256,102 +1256,102 @@ pub mod double {
             }
 
             /// `0x60E3:01` 1st supported homing method. INT8, ro.
-            pub const fn _1st_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _1st_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 1)
             }
 
             /// `0x60E3:02` 2nd supported homing method. INT8, ro.
-            pub const fn _2nd_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _2nd_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 2)
             }
 
             /// `0x60E3:03` 3rd supported homing method. INT8, ro.
-            pub const fn _3rd_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _3rd_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 3)
             }
 
             /// `0x60E3:04` 4th supported homing method. INT8, ro.
-            pub const fn _4th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _4th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 4)
             }
 
             /// `0x60E3:05` 5th supported homing method. INT8, ro.
-            pub const fn _5th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _5th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 5)
             }
 
             /// `0x60E3:06` 6th supported homing method. INT8, ro.
-            pub const fn _6th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _6th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 6)
             }
 
             /// `0x60E3:07` 7th supported homing method. INT8, ro.
-            pub const fn _7th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _7th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 7)
             }
 
             /// `0x60E3:08` 8th supported homing method. INT8, ro.
-            pub const fn _8th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _8th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 8)
             }
 
             /// `0x60E3:09` 9th supported homing method. INT8, ro.
-            pub const fn _9th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _9th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 9)
             }
 
             /// `0x60E3:0A` 10th supported homing method. INT8, ro.
-            pub const fn _10th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _10th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 10)
             }
 
             /// `0x60E3:0B` 11th supported homing method. INT8, ro.
-            pub const fn _11th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _11th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 11)
             }
 
             /// `0x60E3:0C` 12th supported homing method. INT8, ro.
-            pub const fn _12th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _12th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 12)
             }
 
             /// `0x60E3:0D` 13th supported homing method. INT8, ro.
-            pub const fn _13th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _13th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 13)
             }
 
             /// `0x60E3:0E` 14th supported homing method. INT8, ro.
-            pub const fn _14th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _14th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 14)
             }
 
             /// `0x60E3:0F` 15th supported homing method. INT8, ro.
-            pub const fn _15th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _15th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 15)
             }
 
             /// `0x60E3:10` 16th supported homing method. INT8, ro.
-            pub const fn _16th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _16th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 16)
             }
 
             /// `0x60E3:11` 17th supported homing method. INT8, ro.
-            pub const fn _17th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _17th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 17)
             }
 
             /// `0x60E3:12` 18th supported homing method. INT8, ro.
-            pub const fn _18th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _18th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 18)
             }
 
             /// `0x60E3:13` 19th supported homing method. INT8, ro.
-            pub const fn _19th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _19th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 19)
             }
 
             /// `0x60E3:14` 20th supported homing method. INT8, ro.
-            pub const fn _20th_supported_homing_method(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+            pub const fn _20th_supported_homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 20)
             }
         }
@@ -2347,6 +2347,8 @@ pub mod double {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -2375,6 +2377,8 @@ pub mod double {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -2412,6 +2416,8 @@ pub mod double {
             }
         }
     }
+
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
@@ -2482,7 +2488,25 @@ pub mod double {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
+                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
+                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
+                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
+                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
+                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
+                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(QuickStopOptionCode, "{}");
 
     ::devc_runtime::value!(QuickStopOptionCode as i16);
 
@@ -2529,7 +2553,21 @@ pub mod double {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to fault.",
+                2 => "Slows down on the quick stop ramp, then goes to fault.",
+                3 => "Slows down as hard as the current limit allows, then goes to fault.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
 
     ::devc_runtime::value!(FaultReactionOptionCode as i16);
 
@@ -2551,6 +2589,8 @@ pub mod double {
             }
         }
     }
+
+    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
 
     ::devc_runtime::value!(InterpolationSubModeSelect as i16);
 
@@ -2575,6 +2615,8 @@ pub mod double {
         }
     }
 
+    ::devc_runtime::named!(BufferOrganisation, "{}");
+
     ::devc_runtime::value!(BufferOrganisation as u8);
 
     /// `0x60C4:06` Buffer clear.
@@ -2598,6 +2640,8 @@ pub mod double {
         }
     }
 
+    ::devc_runtime::named!(BufferClear, "{}");
+
     ::devc_runtime::value!(BufferClear as u8);
 
     /// An error code of Pilz's own system.
@@ -2608,6 +2652,8 @@ pub mod double {
         /// Communication.
         ///
         /// Named only to show what an event looks like on the display.
+        ///
+        /// Source: 2.7.2.
         pub const COMMUNICATION: Self = Self(52);
 
         /// Limit switch.
@@ -2615,11 +2661,15 @@ pub mod double {
         /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
         /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
         /// its edge, a software switch once the actual position is beyond it by more than I22.
+        ///
+        /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
 
         /// Cyclical position limit.
         ///
         /// Set values stayed away; the drive goes to Fault.
+        ///
+        /// Source: 6.10.
         pub const CYCLICAL_POSITION_LIMIT: Self = Self(78);
 
         /// What the value stands for, if the description says so.
@@ -2631,7 +2681,35 @@ pub mod double {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                52 => "Named only to show what an event looks like on the display.",
+                53 =>
+                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                78 => "Set values stayed away; the drive goes to Fault.",
+                _ => "",
+            }
+        }
+
+        /// The cause that goes by that number, if the description has it.
+        pub const fn cause(self, number: i64) -> Option<&'static str> {
+            match (self.0, number) {
+                (53, 1) => Some("positive hardware limit switch"),
+                (53, 2) => Some("negative hardware limit switch"),
+                (53, 3) => Some("positive software limit switch"),
+                (53, 4) => Some("negative software limit switch"),
+                (53, 5) => Some("31 bit computing limit"),
+                (53, 6) => Some("linear motor moving range"),
+                (53, 7) => Some("both limit switches not connected"),
+                (78, 3) => Some("maximum extrapolation period I423 overrun"),
+                _ => None,
+            }
+        }
     }
+
+    ::devc_runtime::named!(VendorCode, "{}");
 
     ::devc_runtime::value!(VendorCode as u32);
 
@@ -3026,7 +3104,41 @@ pub mod double {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
+    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
+    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
+    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// unless the release override is active. (6.5.2.3)
+    ///
+    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
+    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
+    /// applied unless the release override is active. (6.5.2.4)
+    ///
+    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
+    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
+    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    ///
+    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
+    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
+    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
+    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    ///
+    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
+    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
+    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    ///
+    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
+    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
+    /// applied depends on the reaction. (6.5.2.8)
+    ///
+    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
+    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
+    /// activation function are locked. The brakes are applied unless the release override is active. No
+    /// motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -3038,7 +3150,58 @@ pub mod double {
         (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn =>
+                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+            State::SwitchOnDisabled =>
+                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+            State::ReadyToSwitchOn =>
+                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+            State::SwitchedOn =>
+                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+            State::OperationEnabled =>
+                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+            State::QuickStopActive =>
+                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+            State::FaultReactionActive =>
+                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+            State::Fault =>
+                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *3*: The power stage gets its supply.
+    ///
+    /// *4*: The drive function starts; set values from before are cleared.
+    ///
+    /// *5*: The drive function ends.
+    ///
+    /// *6*: The supply of the power stage may be switched off.
+    ///
+    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *10*: The supply of the power stage may be switched off.
+    ///
+    /// *11*: The quick stop begins.
+    ///
+    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *13*: The fault reaction begins.
+    ///
+    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
+    /// switched off.
+    ///
+    /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -3284,6 +3447,35 @@ pub mod double {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Jog =>
+                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
+                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                Self::Pp =>
+                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                Self::Vl =>
+                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                Self::Pv =>
+                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                Self::Tq =>
+                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                Self::Hm =>
+                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                Self::Ip =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csp =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csv =>
+                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                Self::Cst =>
+                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -3320,6 +3512,12 @@ pub mod double {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 
@@ -3369,6 +3567,555 @@ pub mod double {
         refusal: Refusal::Ignored,
         modes: MODES,
     };
+
+    /// `0x6098` A homing method. Numbers that the description does not name stay what they are.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub struct HomingMethod(pub i8);
+
+    impl HomingMethod {
+        /// Homing on torque/force limit and index pulse initial negative. Method S.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.19.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(-4);
+
+        /// Homing on torque/force limit and index pulse initial positive. Method Q.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.17.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(-3);
+
+        /// Homing on torque/force limit initial negative. Method R.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.18.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_NEGATIVE: Self = Self(-2);
+
+        /// Homing on torque/force limit initial positive. Method P.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.16.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_POSITIVE: Self = Self(-1);
+
+        /// Homing on negative limit switch and index pulse. Method A.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.1.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(1);
+
+        /// Homing on positive limit switch and index pulse. Method E.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.5.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(2);
+
+        /// Homing on positive home switch and index pulse. Method F.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.6.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(3);
+
+        /// Homing on negative home switch and index pulse. Method B.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.2.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(5);
+
+        /// Homing on home switch and index pulse initial positive. Method I.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.9.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(7);
+
+        /// Homing on home switch and index pulse initial negative. Method K.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.11.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(11);
+
+        /// Homing on negative limit switch. Method C.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.3.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH: Self = Self(17);
+
+        /// Homing on positive limit switch. Method G.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.7.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
+
+        /// Homing on positive home switch. Method H.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.8.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH: Self = Self(19);
+
+        /// Homing on negative home switch. Method D.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.4.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH: Self = Self(21);
+
+        /// Homing on home switch initial positive. Method J.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.10.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_POSITIVE: Self = Self(23);
+
+        /// Homing on home switch initial negative. Method L.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.12.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_NEGATIVE: Self = Self(27);
+
+        /// Homing on index pulse negative. Method M.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.13.
+        pub const HOMING_ON_INDEX_PULSE_NEGATIVE: Self = Self(33);
+
+        /// Homing on index pulse positive. Method N.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.14.
+        pub const HOMING_ON_INDEX_PULSE_POSITIVE: Self = Self(34);
+
+        /// Homing on current position. Method O.
+        ///
+        /// 1. The actual position becomes A569; the axis does not move.
+        ///
+        /// Parameters: A569.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.15.
+        pub const HOMING_ON_CURRENT_POSITION: Self = Self(37);
+    }
+
+    impl ::devc_runtime::cia402::HomingMethod for HomingMethod {
+        const TABLE: &'static [::devc_runtime::cia402::HomingInfo] = {
+            use ::devc_runtime::cia402::{Direction, HomingInfo};
+            &[
+                HomingInfo {
+                    number: -4,
+                    name: "Homing on torque/force limit and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -3,
+                    name: "Homing on torque/force limit and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -2,
+                    name: "Homing on torque/force limit initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[1]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -1,
+                    name: "Homing on torque/force limit initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 1,
+                    name: "Homing on negative limit switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 2,
+                    name: "Homing on positive limit switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 3,
+                    name: "Homing on positive home switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 5,
+                    name: "Homing on negative home switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 7,
+                    name: "Homing on home switch and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 11,
+                    name: "Homing on home switch and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 17,
+                    name: "Homing on negative limit switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 18,
+                    name: "Homing on positive limit switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 19,
+                    name: "Homing on positive home switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 21,
+                    name: "Homing on negative home switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 23,
+                    name: "Homing on home switch initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 27,
+                    name: "Homing on home switch initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 33,
+                    name: "Homing on index pulse negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the negative direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 34,
+                    name: "Homing on index pulse positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the positive direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 35,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+                HomingInfo {
+                    number: 37,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+            ]
+        };
+
+        fn number(self) -> i8 {
+            self.0
+        }
+    }
+
+    impl core::fmt::Display for HomingMethod {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            ::devc_runtime::cia402::homing_method(*self).fmt(f)
+        }
+    }
+
+    ::devc_runtime::value!(HomingMethod as i8);
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -3594,7 +4341,7 @@ pub mod double {
             /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
             pub feed_constant: [u32; 2],
             /// `0x6098:00` Homing method. INT8, rw.
-            pub homing_method: i8,
+            pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
             ///
             /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
@@ -3665,7 +4412,7 @@ pub mod double {
             /// - `12` 18th supported homing method. INT8, ro.
             /// - `13` 19th supported homing method. INT8, ro.
             /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [i8; 20],
+            pub supported_homing_methods: [HomingMethod; 20],
             /// `0x60E4` Additional position actual value / 1st value.
             ///
             /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
@@ -3730,7 +4477,7 @@ pub mod double {
                 torque_slope: 0,
                 gear_ratio: [0; 2],
                 feed_constant: [0x0010_0000, 1],
-                homing_method: 0,
+                homing_method: HomingMethod(0),
                 homing_speeds: [0; 2],
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
@@ -3760,7 +4507,7 @@ pub mod double {
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [0; 20],
+                supported_homing_methods: [HomingMethod(0); 20],
                 additional_position_actual_value: [0; 1],
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
@@ -3967,7 +4714,7 @@ pub mod double {
                     45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
                     46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
                     47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
                     49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
                     50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
                     51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
@@ -3987,7 +4734,7 @@ pub mod double {
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
                     66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
                     67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
                     69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
                     70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
                     71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
@@ -5589,7 +6336,7 @@ pub mod single {
         /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
-        pub const HOMING_METHOD: Entry<Single, i8, ReadWrite> = Entry::new(0x6098, 0);
+        pub const HOMING_METHOD: Entry<Single, HomingMethod, ReadWrite> = Entry::new(0x6098, 0);
 
         /// `0x6099` Homing speeds.
         ///
@@ -5820,64 +6567,84 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60E3, 0);
 
             /// `0x60E3:01` 1st supported homing method. INT8, ro.
-            pub const _1ST_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 1);
+            pub const _1ST_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 1);
 
             /// `0x60E3:02` 2nd supported homing method. INT8, ro.
-            pub const _2ND_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 2);
+            pub const _2ND_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 2);
 
             /// `0x60E3:03` 3rd supported homing method. INT8, ro.
-            pub const _3RD_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 3);
+            pub const _3RD_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 3);
 
             /// `0x60E3:04` 4th supported homing method. INT8, ro.
-            pub const _4TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 4);
+            pub const _4TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 4);
 
             /// `0x60E3:05` 5th supported homing method. INT8, ro.
-            pub const _5TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 5);
+            pub const _5TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 5);
 
             /// `0x60E3:06` 6th supported homing method. INT8, ro.
-            pub const _6TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 6);
+            pub const _6TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 6);
 
             /// `0x60E3:07` 7th supported homing method. INT8, ro.
-            pub const _7TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 7);
+            pub const _7TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 7);
 
             /// `0x60E3:08` 8th supported homing method. INT8, ro.
-            pub const _8TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 8);
+            pub const _8TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 8);
 
             /// `0x60E3:09` 9th supported homing method. INT8, ro.
-            pub const _9TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 9);
+            pub const _9TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 9);
 
             /// `0x60E3:0A` 10th supported homing method. INT8, ro.
-            pub const _10TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 10);
+            pub const _10TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 10);
 
             /// `0x60E3:0B` 11th supported homing method. INT8, ro.
-            pub const _11TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 11);
+            pub const _11TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 11);
 
             /// `0x60E3:0C` 12th supported homing method. INT8, ro.
-            pub const _12TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 12);
+            pub const _12TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 12);
 
             /// `0x60E3:0D` 13th supported homing method. INT8, ro.
-            pub const _13TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 13);
+            pub const _13TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 13);
 
             /// `0x60E3:0E` 14th supported homing method. INT8, ro.
-            pub const _14TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 14);
+            pub const _14TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 14);
 
             /// `0x60E3:0F` 15th supported homing method. INT8, ro.
-            pub const _15TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 15);
+            pub const _15TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 15);
 
             /// `0x60E3:10` 16th supported homing method. INT8, ro.
-            pub const _16TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 16);
+            pub const _16TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 16);
 
             /// `0x60E3:11` 17th supported homing method. INT8, ro.
-            pub const _17TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 17);
+            pub const _17TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 17);
 
             /// `0x60E3:12` 18th supported homing method. INT8, ro.
-            pub const _18TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 18);
+            pub const _18TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 18);
 
             /// `0x60E3:13` 19th supported homing method. INT8, ro.
-            pub const _19TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 19);
+            pub const _19TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 19);
 
             /// `0x60E3:14` 20th supported homing method. INT8, ro.
-            pub const _20TH_SUPPORTED_HOMING_METHOD: Entry<Single, i8, ReadOnly> = Entry::new(0x60E3, 20);
+            pub const _20TH_SUPPORTED_HOMING_METHOD: Entry<Single, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 20);
         }
 
         /// `0x60E4` Additional position actual value / 1st value.
@@ -6855,6 +7622,8 @@ pub mod single {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -6883,6 +7652,8 @@ pub mod single {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -6920,6 +7691,8 @@ pub mod single {
             }
         }
     }
+
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
@@ -6990,7 +7763,25 @@ pub mod single {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
+                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
+                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
+                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
+                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
+                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
+                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(QuickStopOptionCode, "{}");
 
     ::devc_runtime::value!(QuickStopOptionCode as i16);
 
@@ -7037,7 +7828,21 @@ pub mod single {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to fault.",
+                2 => "Slows down on the quick stop ramp, then goes to fault.",
+                3 => "Slows down as hard as the current limit allows, then goes to fault.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
 
     ::devc_runtime::value!(FaultReactionOptionCode as i16);
 
@@ -7059,6 +7864,8 @@ pub mod single {
             }
         }
     }
+
+    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
 
     ::devc_runtime::value!(InterpolationSubModeSelect as i16);
 
@@ -7083,6 +7890,8 @@ pub mod single {
         }
     }
 
+    ::devc_runtime::named!(BufferOrganisation, "{}");
+
     ::devc_runtime::value!(BufferOrganisation as u8);
 
     /// `0x60C4:06` Buffer clear.
@@ -7106,6 +7915,8 @@ pub mod single {
         }
     }
 
+    ::devc_runtime::named!(BufferClear, "{}");
+
     ::devc_runtime::value!(BufferClear as u8);
 
     /// An error code of Pilz's own system.
@@ -7116,6 +7927,8 @@ pub mod single {
         /// Communication.
         ///
         /// Named only to show what an event looks like on the display.
+        ///
+        /// Source: 2.7.2.
         pub const COMMUNICATION: Self = Self(52);
 
         /// Limit switch.
@@ -7123,11 +7936,15 @@ pub mod single {
         /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
         /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
         /// its edge, a software switch once the actual position is beyond it by more than I22.
+        ///
+        /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
 
         /// Cyclical position limit.
         ///
         /// Set values stayed away; the drive goes to Fault.
+        ///
+        /// Source: 6.10.
         pub const CYCLICAL_POSITION_LIMIT: Self = Self(78);
 
         /// What the value stands for, if the description says so.
@@ -7139,7 +7956,35 @@ pub mod single {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                52 => "Named only to show what an event looks like on the display.",
+                53 =>
+                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                78 => "Set values stayed away; the drive goes to Fault.",
+                _ => "",
+            }
+        }
+
+        /// The cause that goes by that number, if the description has it.
+        pub const fn cause(self, number: i64) -> Option<&'static str> {
+            match (self.0, number) {
+                (53, 1) => Some("positive hardware limit switch"),
+                (53, 2) => Some("negative hardware limit switch"),
+                (53, 3) => Some("positive software limit switch"),
+                (53, 4) => Some("negative software limit switch"),
+                (53, 5) => Some("31 bit computing limit"),
+                (53, 6) => Some("linear motor moving range"),
+                (53, 7) => Some("both limit switches not connected"),
+                (78, 3) => Some("maximum extrapolation period I423 overrun"),
+                _ => None,
+            }
+        }
     }
+
+    ::devc_runtime::named!(VendorCode, "{}");
 
     ::devc_runtime::value!(VendorCode as u32);
 
@@ -7472,7 +8317,41 @@ pub mod single {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
+    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
+    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
+    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// unless the release override is active. (6.5.2.3)
+    ///
+    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
+    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
+    /// applied unless the release override is active. (6.5.2.4)
+    ///
+    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
+    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
+    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    ///
+    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
+    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
+    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
+    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    ///
+    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
+    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
+    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    ///
+    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
+    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
+    /// applied depends on the reaction. (6.5.2.8)
+    ///
+    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
+    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
+    /// activation function are locked. The brakes are applied unless the release override is active. No
+    /// motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -7484,7 +8363,58 @@ pub mod single {
         (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn =>
+                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+            State::SwitchOnDisabled =>
+                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+            State::ReadyToSwitchOn =>
+                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+            State::SwitchedOn =>
+                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+            State::OperationEnabled =>
+                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+            State::QuickStopActive =>
+                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+            State::FaultReactionActive =>
+                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+            State::Fault =>
+                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *3*: The power stage gets its supply.
+    ///
+    /// *4*: The drive function starts; set values from before are cleared.
+    ///
+    /// *5*: The drive function ends.
+    ///
+    /// *6*: The supply of the power stage may be switched off.
+    ///
+    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *10*: The supply of the power stage may be switched off.
+    ///
+    /// *11*: The quick stop begins.
+    ///
+    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *13*: The fault reaction begins.
+    ///
+    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
+    /// switched off.
+    ///
+    /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -7730,6 +8660,35 @@ pub mod single {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Jog =>
+                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
+                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                Self::Pp =>
+                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                Self::Vl =>
+                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                Self::Pv =>
+                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                Self::Tq =>
+                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                Self::Hm =>
+                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                Self::Ip =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csp =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csv =>
+                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                Self::Cst =>
+                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -7766,6 +8725,12 @@ pub mod single {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 
@@ -7815,6 +8780,555 @@ pub mod single {
         refusal: Refusal::Ignored,
         modes: MODES,
     };
+
+    /// `0x6098` A homing method. Numbers that the description does not name stay what they are.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub struct HomingMethod(pub i8);
+
+    impl HomingMethod {
+        /// Homing on torque/force limit and index pulse initial negative. Method S.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.19.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(-4);
+
+        /// Homing on torque/force limit and index pulse initial positive. Method Q.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.17.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(-3);
+
+        /// Homing on torque/force limit initial negative. Method R.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.18.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_NEGATIVE: Self = Self(-2);
+
+        /// Homing on torque/force limit initial positive. Method P.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.16.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_POSITIVE: Self = Self(-1);
+
+        /// Homing on negative limit switch and index pulse. Method A.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.1.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(1);
+
+        /// Homing on positive limit switch and index pulse. Method E.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.5.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(2);
+
+        /// Homing on positive home switch and index pulse. Method F.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.6.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(3);
+
+        /// Homing on negative home switch and index pulse. Method B.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.2.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(5);
+
+        /// Homing on home switch and index pulse initial positive. Method I.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.9.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(7);
+
+        /// Homing on home switch and index pulse initial negative. Method K.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.11.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(11);
+
+        /// Homing on negative limit switch. Method C.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.3.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH: Self = Self(17);
+
+        /// Homing on positive limit switch. Method G.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.7.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
+
+        /// Homing on positive home switch. Method H.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.8.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH: Self = Self(19);
+
+        /// Homing on negative home switch. Method D.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.4.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH: Self = Self(21);
+
+        /// Homing on home switch initial positive. Method J.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.10.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_POSITIVE: Self = Self(23);
+
+        /// Homing on home switch initial negative. Method L.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.12.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_NEGATIVE: Self = Self(27);
+
+        /// Homing on index pulse negative. Method M.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.13.
+        pub const HOMING_ON_INDEX_PULSE_NEGATIVE: Self = Self(33);
+
+        /// Homing on index pulse positive. Method N.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.14.
+        pub const HOMING_ON_INDEX_PULSE_POSITIVE: Self = Self(34);
+
+        /// Homing on current position. Method O.
+        ///
+        /// 1. The actual position becomes A569; the axis does not move.
+        ///
+        /// Parameters: A569.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.15.
+        pub const HOMING_ON_CURRENT_POSITION: Self = Self(37);
+    }
+
+    impl ::devc_runtime::cia402::HomingMethod for HomingMethod {
+        const TABLE: &'static [::devc_runtime::cia402::HomingInfo] = {
+            use ::devc_runtime::cia402::{Direction, HomingInfo};
+            &[
+                HomingInfo {
+                    number: -4,
+                    name: "Homing on torque/force limit and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -3,
+                    name: "Homing on torque/force limit and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -2,
+                    name: "Homing on torque/force limit initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[1]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -1,
+                    name: "Homing on torque/force limit initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 1,
+                    name: "Homing on negative limit switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 2,
+                    name: "Homing on positive limit switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 3,
+                    name: "Homing on positive home switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 5,
+                    name: "Homing on negative home switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 7,
+                    name: "Homing on home switch and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 11,
+                    name: "Homing on home switch and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 17,
+                    name: "Homing on negative limit switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 18,
+                    name: "Homing on positive limit switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 19,
+                    name: "Homing on positive home switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 21,
+                    name: "Homing on negative home switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 23,
+                    name: "Homing on home switch initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 27,
+                    name: "Homing on home switch initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 33,
+                    name: "Homing on index pulse negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the negative direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 34,
+                    name: "Homing on index pulse positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the positive direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 35,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+                HomingInfo {
+                    number: 37,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+            ]
+        };
+
+        fn number(self) -> i8 {
+            self.0
+        }
+    }
+
+    impl core::fmt::Display for HomingMethod {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            ::devc_runtime::cia402::homing_method(*self).fmt(f)
+        }
+    }
+
+    ::devc_runtime::value!(HomingMethod as i8);
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -7980,7 +9494,7 @@ pub mod single {
             /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
             pub feed_constant: [u32; 2],
             /// `0x6098:00` Homing method. INT8, rw.
-            pub homing_method: i8,
+            pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
             ///
             /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
@@ -8051,7 +9565,7 @@ pub mod single {
             /// - `12` 18th supported homing method. INT8, ro.
             /// - `13` 19th supported homing method. INT8, ro.
             /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [i8; 20],
+            pub supported_homing_methods: [HomingMethod; 20],
             /// `0x60E4` Additional position actual value / 1st value.
             ///
             /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
@@ -8156,7 +9670,7 @@ pub mod single {
                 torque_slope: 0,
                 gear_ratio: [0; 2],
                 feed_constant: [0x0010_0000, 1],
-                homing_method: 0,
+                homing_method: HomingMethod(0),
                 homing_speeds: [0; 2],
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
@@ -8186,7 +9700,7 @@ pub mod single {
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [0; 20],
+                supported_homing_methods: [HomingMethod(0); 20],
                 additional_position_actual_value: [0; 1],
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
@@ -8385,7 +9899,7 @@ pub mod single {
                     45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
                     46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
                     47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
                     49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
                     50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
                     51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
@@ -8405,7 +9919,7 @@ pub mod single {
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
                     66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
                     67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
                     69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
                     70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
                     71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
@@ -10172,7 +11686,7 @@ pub mod double_hires {
         /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
-        pub const fn homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadWrite> {
+        pub const fn homing_method(axis: Axis) -> Entry<DoubleHires, HomingMethod, ReadWrite> {
             axis.entry(0x6098, 0x800, 0)
         }
 
@@ -10475,102 +11989,142 @@ pub mod double_hires {
             }
 
             /// `0x60E3:01` 1st supported homing method. INT8, ro.
-            pub const fn _1st_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _1st_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 1)
             }
 
             /// `0x60E3:02` 2nd supported homing method. INT8, ro.
-            pub const fn _2nd_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _2nd_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 2)
             }
 
             /// `0x60E3:03` 3rd supported homing method. INT8, ro.
-            pub const fn _3rd_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _3rd_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 3)
             }
 
             /// `0x60E3:04` 4th supported homing method. INT8, ro.
-            pub const fn _4th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _4th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 4)
             }
 
             /// `0x60E3:05` 5th supported homing method. INT8, ro.
-            pub const fn _5th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _5th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 5)
             }
 
             /// `0x60E3:06` 6th supported homing method. INT8, ro.
-            pub const fn _6th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _6th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 6)
             }
 
             /// `0x60E3:07` 7th supported homing method. INT8, ro.
-            pub const fn _7th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _7th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 7)
             }
 
             /// `0x60E3:08` 8th supported homing method. INT8, ro.
-            pub const fn _8th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _8th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 8)
             }
 
             /// `0x60E3:09` 9th supported homing method. INT8, ro.
-            pub const fn _9th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _9th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 9)
             }
 
             /// `0x60E3:0A` 10th supported homing method. INT8, ro.
-            pub const fn _10th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _10th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 10)
             }
 
             /// `0x60E3:0B` 11th supported homing method. INT8, ro.
-            pub const fn _11th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _11th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 11)
             }
 
             /// `0x60E3:0C` 12th supported homing method. INT8, ro.
-            pub const fn _12th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _12th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 12)
             }
 
             /// `0x60E3:0D` 13th supported homing method. INT8, ro.
-            pub const fn _13th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _13th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 13)
             }
 
             /// `0x60E3:0E` 14th supported homing method. INT8, ro.
-            pub const fn _14th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _14th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 14)
             }
 
             /// `0x60E3:0F` 15th supported homing method. INT8, ro.
-            pub const fn _15th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _15th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 15)
             }
 
             /// `0x60E3:10` 16th supported homing method. INT8, ro.
-            pub const fn _16th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _16th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 16)
             }
 
             /// `0x60E3:11` 17th supported homing method. INT8, ro.
-            pub const fn _17th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _17th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 17)
             }
 
             /// `0x60E3:12` 18th supported homing method. INT8, ro.
-            pub const fn _18th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _18th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 18)
             }
 
             /// `0x60E3:13` 19th supported homing method. INT8, ro.
-            pub const fn _19th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _19th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 19)
             }
 
             /// `0x60E3:14` 20th supported homing method. INT8, ro.
-            pub const fn _20th_supported_homing_method(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+            pub const fn _20th_supported_homing_method(
+                axis: Axis,
+            ) -> Entry<DoubleHires, HomingMethod, ReadOnly> {
                 axis.entry(0x60E3, 0x800, 20)
             }
         }
@@ -11570,6 +13124,8 @@ pub mod double_hires {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -11598,6 +13154,8 @@ pub mod double_hires {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -11635,6 +13193,8 @@ pub mod double_hires {
             }
         }
     }
+
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
@@ -11705,7 +13265,25 @@ pub mod double_hires {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
+                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
+                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
+                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
+                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
+                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
+                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(QuickStopOptionCode, "{}");
 
     ::devc_runtime::value!(QuickStopOptionCode as i16);
 
@@ -11752,7 +13330,21 @@ pub mod double_hires {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to fault.",
+                2 => "Slows down on the quick stop ramp, then goes to fault.",
+                3 => "Slows down as hard as the current limit allows, then goes to fault.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
 
     ::devc_runtime::value!(FaultReactionOptionCode as i16);
 
@@ -11774,6 +13366,8 @@ pub mod double_hires {
             }
         }
     }
+
+    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
 
     ::devc_runtime::value!(InterpolationSubModeSelect as i16);
 
@@ -11798,6 +13392,8 @@ pub mod double_hires {
         }
     }
 
+    ::devc_runtime::named!(BufferOrganisation, "{}");
+
     ::devc_runtime::value!(BufferOrganisation as u8);
 
     /// `0x60C4:06` Buffer clear.
@@ -11821,6 +13417,8 @@ pub mod double_hires {
         }
     }
 
+    ::devc_runtime::named!(BufferClear, "{}");
+
     ::devc_runtime::value!(BufferClear as u8);
 
     /// An error code of Pilz's own system.
@@ -11831,6 +13429,8 @@ pub mod double_hires {
         /// Communication.
         ///
         /// Named only to show what an event looks like on the display.
+        ///
+        /// Source: 2.7.2.
         pub const COMMUNICATION: Self = Self(52);
 
         /// Limit switch.
@@ -11838,11 +13438,15 @@ pub mod double_hires {
         /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
         /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
         /// its edge, a software switch once the actual position is beyond it by more than I22.
+        ///
+        /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
 
         /// Cyclical position limit.
         ///
         /// Set values stayed away; the drive goes to Fault.
+        ///
+        /// Source: 6.10.
         pub const CYCLICAL_POSITION_LIMIT: Self = Self(78);
 
         /// What the value stands for, if the description says so.
@@ -11854,7 +13458,35 @@ pub mod double_hires {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                52 => "Named only to show what an event looks like on the display.",
+                53 =>
+                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                78 => "Set values stayed away; the drive goes to Fault.",
+                _ => "",
+            }
+        }
+
+        /// The cause that goes by that number, if the description has it.
+        pub const fn cause(self, number: i64) -> Option<&'static str> {
+            match (self.0, number) {
+                (53, 1) => Some("positive hardware limit switch"),
+                (53, 2) => Some("negative hardware limit switch"),
+                (53, 3) => Some("positive software limit switch"),
+                (53, 4) => Some("negative software limit switch"),
+                (53, 5) => Some("31 bit computing limit"),
+                (53, 6) => Some("linear motor moving range"),
+                (53, 7) => Some("both limit switches not connected"),
+                (78, 3) => Some("maximum extrapolation period I423 overrun"),
+                _ => None,
+            }
+        }
     }
+
+    ::devc_runtime::named!(VendorCode, "{}");
 
     ::devc_runtime::value!(VendorCode as u32);
 
@@ -12249,7 +13881,41 @@ pub mod double_hires {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
+    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
+    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
+    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// unless the release override is active. (6.5.2.3)
+    ///
+    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
+    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
+    /// applied unless the release override is active. (6.5.2.4)
+    ///
+    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
+    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
+    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    ///
+    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
+    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
+    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
+    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    ///
+    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
+    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
+    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    ///
+    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
+    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
+    /// applied depends on the reaction. (6.5.2.8)
+    ///
+    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
+    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
+    /// activation function are locked. The brakes are applied unless the release override is active. No
+    /// motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -12261,7 +13927,58 @@ pub mod double_hires {
         (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn =>
+                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+            State::SwitchOnDisabled =>
+                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+            State::ReadyToSwitchOn =>
+                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+            State::SwitchedOn =>
+                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+            State::OperationEnabled =>
+                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+            State::QuickStopActive =>
+                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+            State::FaultReactionActive =>
+                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+            State::Fault =>
+                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *3*: The power stage gets its supply.
+    ///
+    /// *4*: The drive function starts; set values from before are cleared.
+    ///
+    /// *5*: The drive function ends.
+    ///
+    /// *6*: The supply of the power stage may be switched off.
+    ///
+    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *10*: The supply of the power stage may be switched off.
+    ///
+    /// *11*: The quick stop begins.
+    ///
+    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *13*: The fault reaction begins.
+    ///
+    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
+    /// switched off.
+    ///
+    /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -12507,6 +14224,35 @@ pub mod double_hires {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Jog =>
+                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
+                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                Self::Pp =>
+                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                Self::Vl =>
+                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                Self::Pv =>
+                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                Self::Tq =>
+                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                Self::Hm =>
+                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                Self::Ip =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csp =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csv =>
+                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                Self::Cst =>
+                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -12543,6 +14289,12 @@ pub mod double_hires {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 
@@ -12592,6 +14344,555 @@ pub mod double_hires {
         refusal: Refusal::Ignored,
         modes: MODES,
     };
+
+    /// `0x6098` A homing method. Numbers that the description does not name stay what they are.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub struct HomingMethod(pub i8);
+
+    impl HomingMethod {
+        /// Homing on torque/force limit and index pulse initial negative. Method S.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.19.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(-4);
+
+        /// Homing on torque/force limit and index pulse initial positive. Method Q.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.17.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(-3);
+
+        /// Homing on torque/force limit initial negative. Method R.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.18.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_NEGATIVE: Self = Self(-2);
+
+        /// Homing on torque/force limit initial positive. Method P.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.16.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_POSITIVE: Self = Self(-1);
+
+        /// Homing on negative limit switch and index pulse. Method A.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.1.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(1);
+
+        /// Homing on positive limit switch and index pulse. Method E.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.5.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(2);
+
+        /// Homing on positive home switch and index pulse. Method F.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.6.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(3);
+
+        /// Homing on negative home switch and index pulse. Method B.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.2.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(5);
+
+        /// Homing on home switch and index pulse initial positive. Method I.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.9.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(7);
+
+        /// Homing on home switch and index pulse initial negative. Method K.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.11.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(11);
+
+        /// Homing on negative limit switch. Method C.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.3.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH: Self = Self(17);
+
+        /// Homing on positive limit switch. Method G.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.7.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
+
+        /// Homing on positive home switch. Method H.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.8.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH: Self = Self(19);
+
+        /// Homing on negative home switch. Method D.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.4.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH: Self = Self(21);
+
+        /// Homing on home switch initial positive. Method J.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.10.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_POSITIVE: Self = Self(23);
+
+        /// Homing on home switch initial negative. Method L.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.12.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_NEGATIVE: Self = Self(27);
+
+        /// Homing on index pulse negative. Method M.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.13.
+        pub const HOMING_ON_INDEX_PULSE_NEGATIVE: Self = Self(33);
+
+        /// Homing on index pulse positive. Method N.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.14.
+        pub const HOMING_ON_INDEX_PULSE_POSITIVE: Self = Self(34);
+
+        /// Homing on current position. Method O.
+        ///
+        /// 1. The actual position becomes A569; the axis does not move.
+        ///
+        /// Parameters: A569.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.15.
+        pub const HOMING_ON_CURRENT_POSITION: Self = Self(37);
+    }
+
+    impl ::devc_runtime::cia402::HomingMethod for HomingMethod {
+        const TABLE: &'static [::devc_runtime::cia402::HomingInfo] = {
+            use ::devc_runtime::cia402::{Direction, HomingInfo};
+            &[
+                HomingInfo {
+                    number: -4,
+                    name: "Homing on torque/force limit and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -3,
+                    name: "Homing on torque/force limit and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -2,
+                    name: "Homing on torque/force limit initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[1]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -1,
+                    name: "Homing on torque/force limit initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 1,
+                    name: "Homing on negative limit switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 2,
+                    name: "Homing on positive limit switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 3,
+                    name: "Homing on positive home switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 5,
+                    name: "Homing on negative home switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 7,
+                    name: "Homing on home switch and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 11,
+                    name: "Homing on home switch and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 17,
+                    name: "Homing on negative limit switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 18,
+                    name: "Homing on positive limit switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 19,
+                    name: "Homing on positive home switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 21,
+                    name: "Homing on negative home switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 23,
+                    name: "Homing on home switch initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 27,
+                    name: "Homing on home switch initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 33,
+                    name: "Homing on index pulse negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the negative direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 34,
+                    name: "Homing on index pulse positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the positive direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 35,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+                HomingInfo {
+                    number: 37,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+            ]
+        };
+
+        fn number(self) -> i8 {
+            self.0
+        }
+    }
+
+    impl core::fmt::Display for HomingMethod {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            ::devc_runtime::cia402::homing_method(*self).fmt(f)
+        }
+    }
+
+    ::devc_runtime::value!(HomingMethod as i8);
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -12816,7 +15117,7 @@ pub mod double_hires {
             /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
             pub feed_constant: [u32; 2],
             /// `0x6098:00` Homing method. INT8, rw.
-            pub homing_method: i8,
+            pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
             ///
             /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
@@ -12887,7 +15188,7 @@ pub mod double_hires {
             /// - `12` 18th supported homing method. INT8, ro.
             /// - `13` 19th supported homing method. INT8, ro.
             /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [i8; 20],
+            pub supported_homing_methods: [HomingMethod; 20],
             /// `0x60E4` Additional position actual value / 1st value.
             ///
             /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
@@ -12952,7 +15253,7 @@ pub mod double_hires {
                 torque_slope: 0,
                 gear_ratio: [0; 2],
                 feed_constant: [0; 2],
-                homing_method: 0,
+                homing_method: HomingMethod(0),
                 homing_speeds: [0; 2],
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
@@ -12982,7 +15283,7 @@ pub mod double_hires {
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [0; 20],
+                supported_homing_methods: [HomingMethod(0); 20],
                 additional_position_actual_value: [0; 1],
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
@@ -13189,7 +15490,7 @@ pub mod double_hires {
                     45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
                     46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
                     47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
                     49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
                     50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
                     51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
@@ -13209,7 +15510,7 @@ pub mod double_hires {
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
                     66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
                     67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
                     69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
                     70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
                     71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
@@ -14722,7 +17023,7 @@ pub mod single_hires {
         /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
-        pub const HOMING_METHOD: Entry<SingleHires, i8, ReadWrite> = Entry::new(0x6098, 0);
+        pub const HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadWrite> = Entry::new(0x6098, 0);
 
         /// `0x6099` Homing speeds.
         ///
@@ -14957,74 +17258,83 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60E3, 0);
 
             /// `0x60E3:01` 1st supported homing method. INT8, ro.
-            pub const _1ST_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 1);
+            pub const _1ST_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 1);
 
             /// `0x60E3:02` 2nd supported homing method. INT8, ro.
-            pub const _2ND_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 2);
+            pub const _2ND_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 2);
 
             /// `0x60E3:03` 3rd supported homing method. INT8, ro.
-            pub const _3RD_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 3);
+            pub const _3RD_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 3);
 
             /// `0x60E3:04` 4th supported homing method. INT8, ro.
-            pub const _4TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 4);
+            pub const _4TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 4);
 
             /// `0x60E3:05` 5th supported homing method. INT8, ro.
-            pub const _5TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 5);
+            pub const _5TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 5);
 
             /// `0x60E3:06` 6th supported homing method. INT8, ro.
-            pub const _6TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 6);
+            pub const _6TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 6);
 
             /// `0x60E3:07` 7th supported homing method. INT8, ro.
-            pub const _7TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 7);
+            pub const _7TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 7);
 
             /// `0x60E3:08` 8th supported homing method. INT8, ro.
-            pub const _8TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 8);
+            pub const _8TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 8);
 
             /// `0x60E3:09` 9th supported homing method. INT8, ro.
-            pub const _9TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x60E3, 9);
+            pub const _9TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
+                Entry::new(0x60E3, 9);
 
             /// `0x60E3:0A` 10th supported homing method. INT8, ro.
-            pub const _10TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _10TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 10);
 
             /// `0x60E3:0B` 11th supported homing method. INT8, ro.
-            pub const _11TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _11TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 11);
 
             /// `0x60E3:0C` 12th supported homing method. INT8, ro.
-            pub const _12TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _12TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 12);
 
             /// `0x60E3:0D` 13th supported homing method. INT8, ro.
-            pub const _13TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _13TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 13);
 
             /// `0x60E3:0E` 14th supported homing method. INT8, ro.
-            pub const _14TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _14TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 14);
 
             /// `0x60E3:0F` 15th supported homing method. INT8, ro.
-            pub const _15TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _15TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 15);
 
             /// `0x60E3:10` 16th supported homing method. INT8, ro.
-            pub const _16TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _16TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 16);
 
             /// `0x60E3:11` 17th supported homing method. INT8, ro.
-            pub const _17TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _17TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 17);
 
             /// `0x60E3:12` 18th supported homing method. INT8, ro.
-            pub const _18TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _18TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 18);
 
             /// `0x60E3:13` 19th supported homing method. INT8, ro.
-            pub const _19TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _19TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 19);
 
             /// `0x60E3:14` 20th supported homing method. INT8, ro.
-            pub const _20TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, i8, ReadOnly> =
+            pub const _20TH_SUPPORTED_HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadOnly> =
                 Entry::new(0x60E3, 20);
         }
 
@@ -16005,6 +18315,8 @@ pub mod single_hires {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -16033,6 +18345,8 @@ pub mod single_hires {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -16070,6 +18384,8 @@ pub mod single_hires {
             }
         }
     }
+
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
@@ -16140,7 +18456,25 @@ pub mod single_hires {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
+                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
+                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
+                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
+                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
+                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
+                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(QuickStopOptionCode, "{}");
 
     ::devc_runtime::value!(QuickStopOptionCode as i16);
 
@@ -16187,7 +18521,21 @@ pub mod single_hires {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0 => "Takes the torque away at once; the motor is free to turn.",
+                1 => "Slows down on the slow down ramp, then goes to fault.",
+                2 => "Slows down on the quick stop ramp, then goes to fault.",
+                3 => "Slows down as hard as the current limit allows, then goes to fault.",
+                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
+                _ => "",
+            }
+        }
     }
+
+    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
 
     ::devc_runtime::value!(FaultReactionOptionCode as i16);
 
@@ -16209,6 +18557,8 @@ pub mod single_hires {
             }
         }
     }
+
+    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
 
     ::devc_runtime::value!(InterpolationSubModeSelect as i16);
 
@@ -16233,6 +18583,8 @@ pub mod single_hires {
         }
     }
 
+    ::devc_runtime::named!(BufferOrganisation, "{}");
+
     ::devc_runtime::value!(BufferOrganisation as u8);
 
     /// `0x60C4:06` Buffer clear.
@@ -16256,6 +18608,8 @@ pub mod single_hires {
         }
     }
 
+    ::devc_runtime::named!(BufferClear, "{}");
+
     ::devc_runtime::value!(BufferClear as u8);
 
     /// An error code of Pilz's own system.
@@ -16266,6 +18620,8 @@ pub mod single_hires {
         /// Communication.
         ///
         /// Named only to show what an event looks like on the display.
+        ///
+        /// Source: 2.7.2.
         pub const COMMUNICATION: Self = Self(52);
 
         /// Limit switch.
@@ -16273,11 +18629,15 @@ pub mod single_hires {
         /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
         /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
         /// its edge, a software switch once the actual position is beyond it by more than I22.
+        ///
+        /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
 
         /// Cyclical position limit.
         ///
         /// Set values stayed away; the drive goes to Fault.
+        ///
+        /// Source: 6.10.
         pub const CYCLICAL_POSITION_LIMIT: Self = Self(78);
 
         /// What the value stands for, if the description says so.
@@ -16289,7 +18649,35 @@ pub mod single_hires {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                52 => "Named only to show what an event looks like on the display.",
+                53 =>
+                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                78 => "Set values stayed away; the drive goes to Fault.",
+                _ => "",
+            }
+        }
+
+        /// The cause that goes by that number, if the description has it.
+        pub const fn cause(self, number: i64) -> Option<&'static str> {
+            match (self.0, number) {
+                (53, 1) => Some("positive hardware limit switch"),
+                (53, 2) => Some("negative hardware limit switch"),
+                (53, 3) => Some("positive software limit switch"),
+                (53, 4) => Some("negative software limit switch"),
+                (53, 5) => Some("31 bit computing limit"),
+                (53, 6) => Some("linear motor moving range"),
+                (53, 7) => Some("both limit switches not connected"),
+                (78, 3) => Some("maximum extrapolation period I423 overrun"),
+                _ => None,
+            }
+        }
     }
+
+    ::devc_runtime::named!(VendorCode, "{}");
 
     ::devc_runtime::value!(VendorCode as u32);
 
@@ -16622,7 +19010,41 @@ pub mod single_hires {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
+    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
+    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
+    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// unless the release override is active. (6.5.2.3)
+    ///
+    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
+    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
+    /// applied unless the release override is active. (6.5.2.4)
+    ///
+    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
+    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
+    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    ///
+    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
+    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
+    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
+    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    ///
+    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
+    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
+    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    ///
+    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
+    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
+    /// applied depends on the reaction. (6.5.2.8)
+    ///
+    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
+    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
+    /// activation function are locked. The brakes are applied unless the release override is active. No
+    /// motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -16634,7 +19056,58 @@ pub mod single_hires {
         (State::Fault, Pattern { mask: 0x004F, value: 0x0008 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn =>
+                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+            State::SwitchOnDisabled =>
+                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+            State::ReadyToSwitchOn =>
+                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+            State::SwitchedOn =>
+                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+            State::OperationEnabled =>
+                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+            State::QuickStopActive =>
+                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+            State::FaultReactionActive =>
+                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+            State::Fault =>
+                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *3*: The power stage gets its supply.
+    ///
+    /// *4*: The drive function starts; set values from before are cleared.
+    ///
+    /// *5*: The drive function ends.
+    ///
+    /// *6*: The supply of the power stage may be switched off.
+    ///
+    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *10*: The supply of the power stage may be switched off.
+    ///
+    /// *11*: The quick stop begins.
+    ///
+    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    ///
+    /// *13*: The fault reaction begins.
+    ///
+    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
+    /// switched off.
+    ///
+    /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -16880,6 +19353,35 @@ pub mod single_hires {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Jog =>
+                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
+                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                Self::Pp =>
+                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                Self::Vl =>
+                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                Self::Pv =>
+                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                Self::Tq =>
+                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                Self::Hm =>
+                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                Self::Ip =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csp =>
+                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                Self::Csv =>
+                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                Self::Cst =>
+                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -16916,6 +19418,12 @@ pub mod single_hires {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 
@@ -16965,6 +19473,555 @@ pub mod single_hires {
         refusal: Refusal::Ignored,
         modes: MODES,
     };
+
+    /// `0x6098` A homing method. Numbers that the description does not name stay what they are.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub struct HomingMethod(pub i8);
+
+    impl HomingMethod {
+        /// Homing on torque/force limit and index pulse initial negative. Method S.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.19.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(-4);
+
+        /// Homing on torque/force limit and index pulse initial positive. Method Q.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587\[1\] to the next zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Brings the set values to 0 with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A587\[1\], A588, I44, A569, I28, I29, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.17.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(-3);
+
+        /// Homing on torque/force limit initial negative. Method R.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.18.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_NEGATIVE: Self = Self(-2);
+
+        /// Homing on torque/force limit initial positive. Method P.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. The actual position becomes A569 once the actual torque has been above I28 for the time I29.
+        /// 3. Brings the set values to 0 with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[0\], A588, I44, A569, I28, I29, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.16.
+        pub const HOMING_ON_TORQUE_FORCE_LIMIT_INITIAL_POSITIVE: Self = Self(-1);
+
+        /// Homing on negative limit switch and index pulse. Method A.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.1.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(1);
+
+        /// Homing on positive limit switch and index pulse. Method E.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.5.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH_AND_INDEX_PULSE: Self = Self(2);
+
+        /// Homing on positive home switch and index pulse. Method F.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.6.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(3);
+
+        /// Homing on negative home switch and index pulse. Method B.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.2.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH_AND_INDEX_PULSE: Self = Self(5);
+
+        /// Homing on home switch and index pulse initial positive. Method I.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.9.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_POSITIVE: Self = Self(7);
+
+        /// Homing on home switch and index pulse initial negative. Method K.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 3. There, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
+        /// 4. There, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I53, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.11.
+        pub const HOMING_ON_HOME_SWITCH_AND_INDEX_PULSE_INITIAL_NEGATIVE: Self = Self(11);
+
+        /// Homing on negative limit switch. Method C.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.3.
+        pub const HOMING_ON_NEGATIVE_LIMIT_SWITCH: Self = Self(17);
+
+        /// Homing on positive limit switch. Method G.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.7.
+        pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
+
+        /// Homing on positive home switch. Method H.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.8.
+        pub const HOMING_ON_POSITIVE_HOME_SWITCH: Self = Self(19);
+
+        /// Homing on negative home switch. Method D.
+        ///
+        /// Off the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.4.
+        pub const HOMING_ON_NEGATIVE_HOME_SWITCH: Self = Self(21);
+
+        /// Homing on home switch initial positive. Method J.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
+        /// 2. At the positive limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.10.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_POSITIVE: Self = Self(23);
+
+        /// Homing on home switch initial negative. Method L.
+        ///
+        /// Between the reference switch and the positive limit switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
+        /// 3. On leaving it, the actual position becomes A569.
+        /// 4. Stops with A588.
+        /// 5. With I43 = 1, goes to A569.
+        ///
+        /// On the reference switch:
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\] until it has left the reference switch.
+        /// 2. Turns round and goes on with A587\[0\].
+        /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
+        /// 4. On reaching it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Between the negative limit switch and the reference switch:
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 2. At the negative limit switch turns round and goes on to the reference switch.
+        /// 3. From there goes on with A587\[1\] until it has left the switch.
+        /// 4. On leaving it, the actual position becomes A569.
+        /// 5. Stops with A588.
+        /// 6. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: I103, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.12.
+        pub const HOMING_ON_HOME_SWITCH_INITIAL_NEGATIVE: Self = Self(27);
+
+        /// Homing on index pulse negative. Method M.
+        ///
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.13.
+        pub const HOMING_ON_INDEX_PULSE_NEGATIVE: Self = Self(33);
+
+        /// Homing on index pulse positive. Method N.
+        ///
+        /// 1. Starts in the positive direction with A588 and A587\[1\].
+        /// 2. At the zero pulse, the actual position becomes A569.
+        /// 3. Stops with A588.
+        /// 4. With I43 = 1, goes to A569.
+        ///
+        /// Parameters: A587\[1\], A588, I44, A569, I43.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.14.
+        pub const HOMING_ON_INDEX_PULSE_POSITIVE: Self = Self(34);
+
+        /// Homing on current position. Method O.
+        ///
+        /// 1. The actual position becomes A569; the axis does not move.
+        ///
+        /// Parameters: A569.
+        ///
+        /// Source: Tab. 4, 6.4.1.1.15.
+        pub const HOMING_ON_CURRENT_POSITION: Self = Self(37);
+    }
+
+    impl ::devc_runtime::cia402::HomingMethod for HomingMethod {
+        const TABLE: &'static [::devc_runtime::cia402::HomingInfo] = {
+            use ::devc_runtime::cia402::{Direction, HomingInfo};
+            &[
+                HomingInfo {
+                    number: -4,
+                    name: "Homing on torque/force limit and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -3,
+                    name: "Homing on torque/force limit and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. Turns round once the actual torque has been above I28 for the time I29, and goes on with A587[1] to the next zero pulse. There, the actual position becomes A569. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -2,
+                    name: "Homing on torque/force limit initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the negative direction with A588 and A587[1]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: -1,
+                    name: "Homing on torque/force limit initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "torque/force stop",
+                    text: "Starts in the positive direction with A588 and A587[0]. The actual position becomes A569 once the actual torque has been above I28 for the time I29. Brings the set values to 0 with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 1,
+                    name: "Homing on negative limit switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 2,
+                    name: "Homing on positive limit switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 3,
+                    name: "Homing on positive home switch and index pulse",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 5,
+                    name: "Homing on negative home switch and index pulse",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 7,
+                    name: "Homing on home switch and index pulse initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 11,
+                    name: "Homing on home switch and index pulse initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 17,
+                    name: "Homing on negative limit switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negative limit switch",
+                    text: "Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 18,
+                    name: "Homing on positive limit switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positive limit switch",
+                    text: "Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 19,
+                    name: "Homing on positive home switch",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "positively positioned reference switch",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 21,
+                    name: "Homing on negative home switch",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "negatively positioned reference switch",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 23,
+                    name: "Homing on home switch initial positive",
+                    direction: Some(Direction::Positive),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 27,
+                    name: "Homing on home switch initial negative",
+                    direction: Some(Direction::Negative),
+                    pulse: false,
+                    target: "centrally positioned reference switch",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 33,
+                    name: "Homing on index pulse negative",
+                    direction: Some(Direction::Negative),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the negative direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 34,
+                    name: "Homing on index pulse positive",
+                    direction: Some(Direction::Positive),
+                    pulse: true,
+                    target: "",
+                    text: "Starts in the positive direction with A588 and A587[1]. At the zero pulse, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                },
+                HomingInfo {
+                    number: 35,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+                HomingInfo {
+                    number: 37,
+                    name: "Homing on current position",
+                    direction: None,
+                    pulse: false,
+                    target: "setting the reference",
+                    text: "The actual position becomes A569; the axis does not move.",
+                },
+            ]
+        };
+
+        fn number(self) -> i8 {
+            self.0
+        }
+    }
+
+    impl core::fmt::Display for HomingMethod {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            ::devc_runtime::cia402::homing_method(*self).fmt(f)
+        }
+    }
+
+    ::devc_runtime::value!(HomingMethod as i8);
 
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
@@ -17129,7 +20186,7 @@ pub mod single_hires {
             /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
             pub feed_constant: [u32; 2],
             /// `0x6098:00` Homing method. INT8, rw.
-            pub homing_method: i8,
+            pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
             ///
             /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
@@ -17200,7 +20257,7 @@ pub mod single_hires {
             /// - `12` 18th supported homing method. INT8, ro.
             /// - `13` 19th supported homing method. INT8, ro.
             /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [i8; 20],
+            pub supported_homing_methods: [HomingMethod; 20],
             /// `0x60E4` Additional position actual value / 1st value.
             ///
             /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
@@ -17305,7 +20362,7 @@ pub mod single_hires {
                 torque_slope: 0,
                 gear_ratio: [0; 2],
                 feed_constant: [0; 2],
-                homing_method: 0,
+                homing_method: HomingMethod(0),
                 homing_speeds: [0; 2],
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
@@ -17335,7 +20392,7 @@ pub mod single_hires {
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [0; 20],
+                supported_homing_methods: [HomingMethod(0); 20],
                 additional_position_actual_value: [0; 1],
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
@@ -17534,7 +20591,7 @@ pub mod single_hires {
                     45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
                     46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
                     47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
                     49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
                     50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
                     51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
@@ -17554,7 +20611,7 @@ pub mod single_hires {
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
                     66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
                     67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(sdo::Slot::I8),
+                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
                     69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
                     70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
                     71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),

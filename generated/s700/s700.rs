@@ -2050,6 +2050,8 @@ pub mod s300 {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -2078,6 +2080,8 @@ pub mod s300 {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -2116,6 +2120,8 @@ pub mod s300 {
         }
     }
 
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
+
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
     /// An error code of Kollmorgen's own system.
@@ -2127,17 +2133,23 @@ pub mod s300 {
         ///
         /// A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or
         /// their jitter is too large.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const N17_NOT_SYNCHRONISED: Self = Self(17);
 
         /// F28: synchronisation fault.
         ///
         /// The amplifier could not synchronise in time on the way to Operational, or two interrupts of the
         /// master in a row came with too much jitter.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const F28_SYNCHRONISATION_FAULT: Self = Self(28);
 
         /// F29.
         ///
         /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        ///
+        /// Source: 3.4.2.
         pub const F29: Self = Self(29);
 
         /// What the value stands for, if the description says so.
@@ -2149,9 +2161,85 @@ pub mod s300 {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                17 =>
+                    "A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or their jitter is too large.",
+                28 =>
+                    "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
+                29 =>
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                _ => "",
+            }
+        }
     }
 
+    ::devc_runtime::named!(VendorCode, "{}");
+
     ::devc_runtime::value!(VendorCode as u32);
+
+    /// Why the device refused or left an EtherCAT state: the AL status code, register 0x0134.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub struct AlStatusCode(pub u16);
+
+    impl AlStatusCode {
+        /// No error.
+        ///
+        /// Results in the present state.
+        ///
+        /// Source: 3.3.3.
+        pub const NO_ERROR: Self = Self(0x0000);
+
+        /// Invalid requested state change.
+        ///
+        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
+
+        /// Invalid sync manager configuration.
+        ///
+        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
+
+        /// Synchronisation error.
+        ///
+        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+
+        /// What the value stands for, if the description says so.
+        pub const fn name(self) -> Option<&'static str> {
+            match self.0 {
+                0x0000 => Some("No error"),
+                0x0011 => Some("Invalid requested state change"),
+                0x0017 => Some("Invalid sync manager configuration"),
+                0x001A => Some("Synchronisation error"),
+                _ => None,
+            }
+        }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0x0000 => "Results in the present state.",
+                0x0011 =>
+                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                _ => "",
+            }
+        }
+    }
+
+    ::devc_runtime::named!(AlStatusCode, "0x{:04X}");
+
+    ::devc_runtime::value!(AlStatusCode as u16);
 
     /// `0x1600` Free mapping, 2 bytes.
     ///
@@ -3920,7 +4008,26 @@ pub mod s300 {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// fault. (3.4.1, 3.4.3)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
+    ///
+    /// *Ready to switch on* `x0xx 0001`: The amplifier can be enabled by the controlword. (3.4.1, 3.4.3)
+    ///
+    /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
+    /// 3.4.3)
+    ///
+    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    ///
+    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
+    /// stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -3932,7 +4039,56 @@ pub mod s300 {
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn => "The amplifier is not ready: it still starts, or it has a fault.",
+            State::SwitchOnDisabled => "The amplifier cannot be enabled through EtherCAT.",
+            State::ReadyToSwitchOn => "The amplifier can be enabled by the controlword.",
+            State::SwitchedOn => "The amplifier is enabled and idle; set values are not taken yet.",
+            State::OperationEnabled => "The amplifier is enabled and takes the set values.",
+            State::QuickStopActive => "The amplifier brakes on a quick stop ramp.",
+            State::FaultReactionActive =>
+                "A fault was found, and the amplifier brakes on an emergency stop ramp.",
+            State::Fault => "A fault is present; the drive stands and is disabled.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *2*: The switch-on inhibit is lifted.
+    ///
+    /// *3*: The amplifier is enabled.
+    ///
+    /// *4*: The amplifier takes the set values.
+    ///
+    /// *5*: The amplifier no longer takes the set values; the drive stops in speed control.
+    ///
+    /// *6*: The amplifier is disabled.
+    ///
+    /// *7*: The switch-on inhibit is back.
+    ///
+    /// *8*: The amplifier is disabled.
+    ///
+    /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
+    ///
+    /// *10*: The amplifier is disabled.
+    ///
+    /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
+    ///
+    /// *12*: The amplifier is disabled.
+    ///
+    /// *13*: The drive brakes on an emergency stop ramp.
+    ///
+    /// *14*: The drive stands and is disabled.
+    ///
+    /// *15*: The fault is cleared.
+    ///
+    /// *16*: The amplifier takes the set values again.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -4169,6 +4325,20 @@ pub mod s300 {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Hm =>
+                    "The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.",
+                Self::Csp =>
+                    "The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.",
+                Self::Csv => "The master sends a velocity every cycle. OPMODE 0.",
+                Self::Cst => "The master sends a current every cycle. OPMODE 2.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -4191,6 +4361,12 @@ pub mod s300 {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 
@@ -7303,6 +7479,8 @@ pub mod s400 {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -7331,6 +7509,8 @@ pub mod s400 {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -7369,6 +7549,8 @@ pub mod s400 {
         }
     }
 
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
+
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
     /// An error code of Kollmorgen's own system.
@@ -7380,17 +7562,23 @@ pub mod s400 {
         ///
         /// A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or
         /// their jitter is too large.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const N17_NOT_SYNCHRONISED: Self = Self(17);
 
         /// F28: synchronisation fault.
         ///
         /// The amplifier could not synchronise in time on the way to Operational, or two interrupts of the
         /// master in a row came with too much jitter.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const F28_SYNCHRONISATION_FAULT: Self = Self(28);
 
         /// F29.
         ///
         /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        ///
+        /// Source: 3.4.2.
         pub const F29: Self = Self(29);
 
         /// What the value stands for, if the description says so.
@@ -7402,9 +7590,85 @@ pub mod s400 {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                17 =>
+                    "A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or their jitter is too large.",
+                28 =>
+                    "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
+                29 =>
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                _ => "",
+            }
+        }
     }
 
+    ::devc_runtime::named!(VendorCode, "{}");
+
     ::devc_runtime::value!(VendorCode as u32);
+
+    /// Why the device refused or left an EtherCAT state: the AL status code, register 0x0134.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub struct AlStatusCode(pub u16);
+
+    impl AlStatusCode {
+        /// No error.
+        ///
+        /// Results in the present state.
+        ///
+        /// Source: 3.3.3.
+        pub const NO_ERROR: Self = Self(0x0000);
+
+        /// Invalid requested state change.
+        ///
+        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
+
+        /// Invalid sync manager configuration.
+        ///
+        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
+
+        /// Synchronisation error.
+        ///
+        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+
+        /// What the value stands for, if the description says so.
+        pub const fn name(self) -> Option<&'static str> {
+            match self.0 {
+                0x0000 => Some("No error"),
+                0x0011 => Some("Invalid requested state change"),
+                0x0017 => Some("Invalid sync manager configuration"),
+                0x001A => Some("Synchronisation error"),
+                _ => None,
+            }
+        }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0x0000 => "Results in the present state.",
+                0x0011 =>
+                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                _ => "",
+            }
+        }
+    }
+
+    ::devc_runtime::named!(AlStatusCode, "0x{:04X}");
+
+    ::devc_runtime::value!(AlStatusCode as u16);
 
     /// `0x1701` Position interface, 6 bytes.
     ///
@@ -8443,7 +8707,26 @@ pub mod s400 {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// fault. (3.4.1, 3.4.3)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
+    ///
+    /// *Ready to switch on* `x0xx 0001`: The amplifier can be enabled by the controlword. (3.4.1, 3.4.3)
+    ///
+    /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
+    /// 3.4.3)
+    ///
+    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    ///
+    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
+    /// stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -8455,7 +8738,56 @@ pub mod s400 {
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn => "The amplifier is not ready: it still starts, or it has a fault.",
+            State::SwitchOnDisabled => "The amplifier cannot be enabled through EtherCAT.",
+            State::ReadyToSwitchOn => "The amplifier can be enabled by the controlword.",
+            State::SwitchedOn => "The amplifier is enabled and idle; set values are not taken yet.",
+            State::OperationEnabled => "The amplifier is enabled and takes the set values.",
+            State::QuickStopActive => "The amplifier brakes on a quick stop ramp.",
+            State::FaultReactionActive =>
+                "A fault was found, and the amplifier brakes on an emergency stop ramp.",
+            State::Fault => "A fault is present; the drive stands and is disabled.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *2*: The switch-on inhibit is lifted.
+    ///
+    /// *3*: The amplifier is enabled.
+    ///
+    /// *4*: The amplifier takes the set values.
+    ///
+    /// *5*: The amplifier no longer takes the set values; the drive stops in speed control.
+    ///
+    /// *6*: The amplifier is disabled.
+    ///
+    /// *7*: The switch-on inhibit is back.
+    ///
+    /// *8*: The amplifier is disabled.
+    ///
+    /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
+    ///
+    /// *10*: The amplifier is disabled.
+    ///
+    /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
+    ///
+    /// *12*: The amplifier is disabled.
+    ///
+    /// *13*: The drive brakes on an emergency stop ramp.
+    ///
+    /// *14*: The drive stands and is disabled.
+    ///
+    /// *15*: The fault is cleared.
+    ///
+    /// *16*: The amplifier takes the set values again.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -8692,6 +9024,20 @@ pub mod s400 {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Hm =>
+                    "The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.",
+                Self::Csp =>
+                    "The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.",
+                Self::Csv => "The master sends a velocity every cycle. OPMODE 0.",
+                Self::Cst => "The master sends a current every cycle. OPMODE 2.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -8714,6 +9060,12 @@ pub mod s400 {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 
@@ -11681,6 +12033,8 @@ pub mod s600 {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -11709,6 +12063,8 @@ pub mod s600 {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -11747,6 +12103,8 @@ pub mod s600 {
         }
     }
 
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
+
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
     /// An error code of Kollmorgen's own system.
@@ -11758,17 +12116,23 @@ pub mod s600 {
         ///
         /// A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or
         /// their jitter is too large.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const N17_NOT_SYNCHRONISED: Self = Self(17);
 
         /// F28: synchronisation fault.
         ///
         /// The amplifier could not synchronise in time on the way to Operational, or two interrupts of the
         /// master in a row came with too much jitter.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const F28_SYNCHRONISATION_FAULT: Self = Self(28);
 
         /// F29.
         ///
         /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        ///
+        /// Source: 3.4.2.
         pub const F29: Self = Self(29);
 
         /// What the value stands for, if the description says so.
@@ -11780,9 +12144,85 @@ pub mod s600 {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                17 =>
+                    "A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or their jitter is too large.",
+                28 =>
+                    "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
+                29 =>
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                _ => "",
+            }
+        }
     }
 
+    ::devc_runtime::named!(VendorCode, "{}");
+
     ::devc_runtime::value!(VendorCode as u32);
+
+    /// Why the device refused or left an EtherCAT state: the AL status code, register 0x0134.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub struct AlStatusCode(pub u16);
+
+    impl AlStatusCode {
+        /// No error.
+        ///
+        /// Results in the present state.
+        ///
+        /// Source: 3.3.3.
+        pub const NO_ERROR: Self = Self(0x0000);
+
+        /// Invalid requested state change.
+        ///
+        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
+
+        /// Invalid sync manager configuration.
+        ///
+        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
+
+        /// Synchronisation error.
+        ///
+        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+
+        /// What the value stands for, if the description says so.
+        pub const fn name(self) -> Option<&'static str> {
+            match self.0 {
+                0x0000 => Some("No error"),
+                0x0011 => Some("Invalid requested state change"),
+                0x0017 => Some("Invalid sync manager configuration"),
+                0x001A => Some("Synchronisation error"),
+                _ => None,
+            }
+        }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0x0000 => "Results in the present state.",
+                0x0011 =>
+                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                _ => "",
+            }
+        }
+    }
+
+    ::devc_runtime::named!(AlStatusCode, "0x{:04X}");
+
+    ::devc_runtime::value!(AlStatusCode as u16);
 
     /// `0x1701` Position interface, 6 bytes.
     ///
@@ -12821,7 +13261,26 @@ pub mod s600 {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// fault. (3.4.1, 3.4.3)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
+    ///
+    /// *Ready to switch on* `x0xx 0001`: The amplifier can be enabled by the controlword. (3.4.1, 3.4.3)
+    ///
+    /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
+    /// 3.4.3)
+    ///
+    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    ///
+    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
+    /// stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -12833,7 +13292,56 @@ pub mod s600 {
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn => "The amplifier is not ready: it still starts, or it has a fault.",
+            State::SwitchOnDisabled => "The amplifier cannot be enabled through EtherCAT.",
+            State::ReadyToSwitchOn => "The amplifier can be enabled by the controlword.",
+            State::SwitchedOn => "The amplifier is enabled and idle; set values are not taken yet.",
+            State::OperationEnabled => "The amplifier is enabled and takes the set values.",
+            State::QuickStopActive => "The amplifier brakes on a quick stop ramp.",
+            State::FaultReactionActive =>
+                "A fault was found, and the amplifier brakes on an emergency stop ramp.",
+            State::Fault => "A fault is present; the drive stands and is disabled.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *2*: The switch-on inhibit is lifted.
+    ///
+    /// *3*: The amplifier is enabled.
+    ///
+    /// *4*: The amplifier takes the set values.
+    ///
+    /// *5*: The amplifier no longer takes the set values; the drive stops in speed control.
+    ///
+    /// *6*: The amplifier is disabled.
+    ///
+    /// *7*: The switch-on inhibit is back.
+    ///
+    /// *8*: The amplifier is disabled.
+    ///
+    /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
+    ///
+    /// *10*: The amplifier is disabled.
+    ///
+    /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
+    ///
+    /// *12*: The amplifier is disabled.
+    ///
+    /// *13*: The drive brakes on an emergency stop ramp.
+    ///
+    /// *14*: The drive stands and is disabled.
+    ///
+    /// *15*: The fault is cleared.
+    ///
+    /// *16*: The amplifier takes the set values again.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -13070,6 +13578,20 @@ pub mod s600 {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Hm =>
+                    "The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.",
+                Self::Csp =>
+                    "The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.",
+                Self::Csv => "The master sends a velocity every cycle. OPMODE 0.",
+                Self::Cst => "The master sends a current every cycle. OPMODE 2.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -13092,6 +13614,12 @@ pub mod s600 {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 
@@ -16337,6 +16865,8 @@ pub mod s700 {
         }
     }
 
+    ::devc_runtime::named!(SynchronizationType, "{}");
+
     ::devc_runtime::value!(SynchronizationType as u16);
 
     /// `0x1C32:08` Get cycle time.
@@ -16365,6 +16895,8 @@ pub mod s700 {
             }
         }
     }
+
+    ::devc_runtime::named!(GetCycleTime, "{}");
 
     ::devc_runtime::value!(GetCycleTime as u16);
 
@@ -16403,6 +16935,8 @@ pub mod s700 {
         }
     }
 
+    ::devc_runtime::named!(SmInputParameterSynchronizationType, "{}");
+
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
     /// An error code of Kollmorgen's own system.
@@ -16414,17 +16948,23 @@ pub mod s700 {
         ///
         /// A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or
         /// their jitter is too large.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const N17_NOT_SYNCHRONISED: Self = Self(17);
 
         /// F28: synchronisation fault.
         ///
         /// The amplifier could not synchronise in time on the way to Operational, or two interrupts of the
         /// master in a row came with too much jitter.
+        ///
+        /// Source: 3.3.4, 3.11.
         pub const F28_SYNCHRONISATION_FAULT: Self = Self(28);
 
         /// F29.
         ///
         /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        ///
+        /// Source: 3.4.2.
         pub const F29: Self = Self(29);
 
         /// What the value stands for, if the description says so.
@@ -16436,9 +16976,85 @@ pub mod s700 {
                 _ => None,
             }
         }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                17 =>
+                    "A warning: the amplifier has no cyclic interrupts to follow, or has not locked on to them yet, or their jitter is too large.",
+                28 =>
+                    "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
+                29 =>
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                _ => "",
+            }
+        }
     }
 
+    ::devc_runtime::named!(VendorCode, "{}");
+
     ::devc_runtime::value!(VendorCode as u32);
+
+    /// Why the device refused or left an EtherCAT state: the AL status code, register 0x0134.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub struct AlStatusCode(pub u16);
+
+    impl AlStatusCode {
+        /// No error.
+        ///
+        /// Results in the present state.
+        ///
+        /// Source: 3.3.3.
+        pub const NO_ERROR: Self = Self(0x0000);
+
+        /// Invalid requested state change.
+        ///
+        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
+
+        /// Invalid sync manager configuration.
+        ///
+        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
+
+        /// Synchronisation error.
+        ///
+        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        ///
+        /// Source: 3.3.3.
+        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+
+        /// What the value stands for, if the description says so.
+        pub const fn name(self) -> Option<&'static str> {
+            match self.0 {
+                0x0000 => Some("No error"),
+                0x0011 => Some("Invalid requested state change"),
+                0x0017 => Some("Invalid sync manager configuration"),
+                0x001A => Some("Synchronisation error"),
+                _ => None,
+            }
+        }
+
+        /// What the description says of the value; empty if nothing.
+        pub const fn text(self) -> &'static str {
+            match self.0 {
+                0x0000 => "Results in the present state.",
+                0x0011 =>
+                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                _ => "",
+            }
+        }
+    }
+
+    ::devc_runtime::named!(AlStatusCode, "0x{:04X}");
+
+    ::devc_runtime::value!(AlStatusCode as u16);
 
     /// `0x1600` Free mapping, 2 bytes.
     ///
@@ -18207,7 +18823,26 @@ pub mod s700 {
         };
     }
 
-    /// How the statusword shows the states.
+    /// How the statusword shows the states, bit 7 first.
+    ///
+    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// fault. (3.4.1, 3.4.3)
+    ///
+    /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
+    ///
+    /// *Ready to switch on* `x0xx 0001`: The amplifier can be enabled by the controlword. (3.4.1, 3.4.3)
+    ///
+    /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
+    /// 3.4.3)
+    ///
+    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    ///
+    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
+    /// stop ramp. (3.4.1, 3.4.3)
+    ///
+    /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -18219,7 +18854,56 @@ pub mod s700 {
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
 
+    /// What the description says of a state; empty if nothing.
+    pub const fn state_text(state: State) -> &'static str {
+        match state {
+            State::NotReadyToSwitchOn => "The amplifier is not ready: it still starts, or it has a fault.",
+            State::SwitchOnDisabled => "The amplifier cannot be enabled through EtherCAT.",
+            State::ReadyToSwitchOn => "The amplifier can be enabled by the controlword.",
+            State::SwitchedOn => "The amplifier is enabled and idle; set values are not taken yet.",
+            State::OperationEnabled => "The amplifier is enabled and takes the set values.",
+            State::QuickStopActive => "The amplifier brakes on a quick stop ramp.",
+            State::FaultReactionActive =>
+                "A fault was found, and the amplifier brakes on an emergency stop ramp.",
+            State::Fault => "A fault is present; the drive stands and is disabled.",
+        }
+    }
+
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
+    ///
+    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    ///
+    /// *1*: The drive has started; communication is possible.
+    ///
+    /// *2*: The switch-on inhibit is lifted.
+    ///
+    /// *3*: The amplifier is enabled.
+    ///
+    /// *4*: The amplifier takes the set values.
+    ///
+    /// *5*: The amplifier no longer takes the set values; the drive stops in speed control.
+    ///
+    /// *6*: The amplifier is disabled.
+    ///
+    /// *7*: The switch-on inhibit is back.
+    ///
+    /// *8*: The amplifier is disabled.
+    ///
+    /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
+    ///
+    /// *10*: The amplifier is disabled.
+    ///
+    /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
+    ///
+    /// *12*: The amplifier is disabled.
+    ///
+    /// *13*: The drive brakes on an emergency stop ramp.
+    ///
+    /// *14*: The drive stands and is disabled.
+    ///
+    /// *15*: The fault is cleared.
+    ///
+    /// *16*: The amplifier takes the set values again.
     pub const TRANSITIONS: &[Transition] = {
         const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
             Transition { number, from: StateSet::of(from), to, coupling }
@@ -18456,6 +19140,20 @@ pub mod s700 {
         Cst = 10,
     }
 
+    impl ModeOfOperation {
+        /// What the drive does in the mode; empty if the description does not say.
+        pub const fn text(self) -> &'static str {
+            match self {
+                Self::Hm =>
+                    "The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.",
+                Self::Csp =>
+                    "The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.",
+                Self::Csv => "The master sends a velocity every cycle. OPMODE 0.",
+                Self::Cst => "The master sends a current every cycle. OPMODE 2.",
+            }
+        }
+    }
+
     impl Mode for ModeOfOperation {
         fn code(self) -> i8 {
             self as i8
@@ -18478,6 +19176,12 @@ pub mod s700 {
                 Self::Csv => "Cyclic synchronous velocity mode",
                 Self::Cst => "Cyclic synchronous torque mode",
             }
+        }
+    }
+
+    impl core::fmt::Display for ModeOfOperation {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            f.write_str(self.name())
         }
     }
 

@@ -12,7 +12,7 @@ pub struct ErrorInfo {
     /// What the error register 0x1001 shows with it, if the manual says so.
     pub register: Option<u8>,
     /// The vendor's own numbers of errors that are shown as this one.
-    pub vendor_codes: &'static [i32],
+    pub vendor_codes: &'static [u32],
     /// What it means and what to do; empty where the manual has nothing to say.
     pub text: &'static str,
 }

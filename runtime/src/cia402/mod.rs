@@ -17,6 +17,7 @@ mod drive;
 mod events;
 pub mod generic;
 mod handshake;
+mod homing_method;
 mod machine;
 mod master;
 mod mode;
@@ -36,6 +37,7 @@ pub use events::Events;
 pub use handshake::{
     Halt, HaltProgress, Homing, HomingBits, HomingProgress, Move, SetPointProgress, SetPoints,
 };
+pub use homing_method::{Direction, HomingInfo, HomingMethod, homing_method};
 pub use machine::{Cause, Machine, Refusal, Step};
 pub use master::{Awaited, Feedback, Goal, Leave, Master, Output, Progress, Timing, Waiting, Withdrawal};
 pub use mode::{Mode, UnknownMode};

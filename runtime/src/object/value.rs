@@ -95,6 +95,34 @@ impl<const N: usize> Value for [u8; N] {
     }
 }
 
+/// Shows a struct around a number of which some values have names, by the number and the name.
+///
+/// ```
+/// struct Code(u16);
+///
+/// impl Code {
+///     fn name(&self) -> Option<&'static str> {
+///         (self.0 == 3).then_some("stopped")
+///     }
+/// }
+/// devc_runtime::named!(Code, "{}");
+///
+/// assert_eq!(Code(3).to_string(), "3: stopped");
+/// assert_eq!(Code(4).to_string(), "4: unknown");
+/// ```
+#[macro_export]
+macro_rules! named {
+    ($name:ident, $number:literal) => {
+        impl ::core::fmt::Display for $name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                ::core::write!(f, $number, self.0)?;
+                f.write_str(": ")?;
+                f.write_str(self.name().unwrap_or("unknown"))
+            }
+        }
+    };
+}
+
 /// Implements [`Value`](crate::object::Value) for a struct around a number, as generated words and codes are.
 ///
 /// ```

@@ -2,9 +2,14 @@
 //! after every word that matters for its edges, whatever happens in the drive.
 
 #![cfg(test)]
+#![allow(clippy::expect_used, clippy::panic)] // a test may
 
+#[expect(dead_code, reason = "it is shared with tests that need more of it")]
+#[path = "../described/mod.rs"]
+mod described;
 #[path = "../../../runtime/tests/machines/device/mod.rs"]
 mod device;
+mod numbers;
 
 use devc_generated::{c887, pmc_sc6, s700};
 use devc_runtime::cia402::{Edge, Events, HomingBits, Machine, State};

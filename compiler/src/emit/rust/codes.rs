@@ -4,84 +4,187 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::doc::{Doc, escape, sentence};
-use super::literal::{number, parsed};
+use super::literal::{hex16, line, number, parsed};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::types::Primitive;
+use crate::model::{AlStatusCode, VendorCode};
+
+/// A struct around a number.
+struct Newtype<'a> {
+    doc: Doc,
+    name: Ident,
+    primitive: Primitive,
+    /// How the number is shown, as `core::fmt` has it.
+    shown: &'a str,
+    values: Vec<Named<'a>>,
+    /// Methods of its own.
+    methods: TokenStream,
+}
 
 /// A value with a name.
 struct Named<'a> {
     literal: TokenStream,
     id: &'a str,
     name: &'a str,
-    about: Option<&'a str>,
+    /// What there is to say of it.
+    text: Option<String>,
+    doc: Doc,
 }
 
-/// The values of entries, and the vendor's own codes.
+/// The values of entries, the vendor's own codes, and the AL status codes.
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let of_entries = scope.types.codes.iter().map(|code| {
         let values = code.entry.values.iter().map(|meaning| Named {
             literal: number(meaning.value),
             id: &meaning.id,
             name: &meaning.name,
-            about: meaning.about.as_deref(),
+            text: meaning.about.clone(),
+            doc: Doc::new(sentence(&meaning.name)).maybe(meaning.about.as_deref()),
         });
-        let doc = Doc::new(super::entry::title(code.entry)).maybe(code.entry.about.as_deref());
-        newtype(scope, &doc, &code.name, code.primitive, &values.collect::<Vec<_>>())
+        Newtype {
+            doc: Doc::new(super::entry::title(code.entry)).maybe(code.entry.about.as_deref()),
+            name: code.name.clone(),
+            primitive: code.primitive,
+            shown: "{}",
+            values: values.collect(),
+            methods: TokenStream::new(),
+        }
     });
-    let of_entries: TokenStream = of_entries.collect();
-    let of_vendor = (!scope.device.vendor_codes.is_empty()).then(|| vendor_codes(scope));
-    quote!(#of_entries #of_vendor)
+    let vendor = (!scope.device.vendor_codes.is_empty()).then(|| vendor_codes(scope));
+    let al_status = (!scope.device.al_status_codes.is_empty()).then(|| al_status_codes(scope));
+    of_entries.chain(vendor).chain(al_status).map(|newtype| newtype.tokens(scope.runtime)).collect()
 }
 
-fn vendor_codes(scope: &Scope<'_>) -> TokenStream {
-    let values = scope.device.vendor_codes.iter().map(|code| Named {
+fn vendor_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
+    let codes = &scope.device.vendor_codes;
+    let values = codes.iter().map(|code| Named {
         literal: number(code.code),
         id: &code.name,
         name: &code.name,
-        about: code.about.as_deref(),
+        text: code.about.clone(),
+        doc: Doc::new(sentence(&code.name))
+            .maybe(code.about.as_deref())
+            .source(code.source.as_ref(), scope.device),
     });
-    let doc = Doc::new(format!("An error code of {}'s own system.", escape(&scope.device.vendor)));
-    let name = format_ident!("VendorCode");
-    newtype(scope, &doc, &name, Primitive::Unsigned(32), &values.collect::<Vec<_>>())
+    Newtype {
+        doc: Doc::new(format!("An error code of {}'s own system.", escape(&scope.device.vendor))),
+        name: format_ident!("VendorCode"),
+        primitive: Primitive::Unsigned(32),
+        shown: "{}",
+        values: values.collect(),
+        methods: causes(codes),
+    }
 }
 
-fn newtype(
-    scope: &Scope<'_>,
-    doc: &Doc,
-    name: &Ident,
-    primitive: Primitive,
-    values: &[Named<'_>],
-) -> TokenStream {
-    let (runtime, number) = (scope.runtime, primitive.tokens());
-    let mut names = Names::default();
-    let constants = values.iter().map(|value| {
-        let (constant, literal) = (names.claim(&shout(value.id)), &value.literal);
-        let doc = Doc::new(sentence(value.name)).maybe(value.about);
-        quote!(#doc pub const #constant: Self = Self(#literal);)
-    });
-    let arms = values.iter().map(|value| {
-        let (literal, name) = (&value.literal, value.name);
-        quote!(#literal => Some(#name),)
-    });
+/// What can have caused an error, by the number that the device gives the cause.
+fn causes(codes: &[VendorCode]) -> TokenStream {
+    let causes = codes.iter().flat_map(|code| code.causes.iter().map(move |cause| (code, cause)));
+    let arms: Vec<TokenStream> = causes
+        .map(|(code, cause)| {
+            let (code, number, name) = (number(code.code), number(cause.value), &cause.name);
+            quote!((#code, #number) => Some(#name),)
+        })
+        .collect();
+    if arms.is_empty() {
+        return TokenStream::new();
+    }
     let some = parsed("Option<&'static str>");
     quote! {
-        #doc
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub struct #name(pub #number);
-
-        impl #name {
-            #(#constants)*
-
-            /// What the value stands for, if the description says so.
-            pub const fn name(self) -> #some {
-                match self.0 {
-                    #(#arms)*
-                    _ => None,
-                }
+        /// The cause that goes by that number, if the description has it.
+        pub const fn cause(self, number: i64) -> #some {
+            match (self.0, number) {
+                #(#arms)*
+                _ => None,
             }
         }
+    }
+}
 
-        #runtime::value!(#name as #number);
+fn al_status_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
+    let values = scope.device.al_status_codes.iter().map(|code| {
+        let AlStatusCode { code: number, name, during, results, about, source } = code;
+        let during = (!during.is_empty()).then(|| format!("In the transitions {}.", during.join(", ")));
+        let results = results.as_ref().map(|results| format!("Results in {results}."));
+        let parts = [about.clone(), during, results];
+        let text = parts.iter().flatten().map(|part| part.trim()).collect::<Vec<_>>().join(" ");
+        Named {
+            literal: hex16(*number),
+            id: name,
+            name,
+            doc: Doc::new(sentence(name)).text(&escape(&text)).source(source.as_ref(), scope.device),
+            text: Some(text),
+        }
+    });
+    Newtype {
+        doc: Doc::new(
+            "Why the device refused or left an EtherCAT state: the AL status code, register 0x0134.",
+        ),
+        name: format_ident!("AlStatusCode"),
+        primitive: Primitive::Unsigned(16),
+        shown: "0x{:04X}",
+        values: values.collect(),
+        methods: TokenStream::new(),
+    }
+}
+
+impl Newtype<'_> {
+    fn tokens(&self, runtime: &TokenStream) -> TokenStream {
+        let Self { doc, name, primitive, shown, values, methods } = self;
+        let (number, some) = (primitive.tokens(), parsed("Option<&'static str>"));
+        let mut names = Names::default();
+        let constants = values.iter().map(|Named { literal, id, doc, .. }| {
+            let constant = names.claim(&shout(id));
+            quote!(#doc pub const #constant: Self = Self(#literal);)
+        });
+        let arms = values.iter().map(|Named { literal, name, .. }| quote!(#literal => Some(#name),));
+        let texts = self.texts();
+        quote! {
+            #doc
+            #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+            pub struct #name(pub #number);
+
+            impl #name {
+                #(#constants)*
+
+                /// What the value stands for, if the description says so.
+                pub const fn name(self) -> #some {
+                    match self.0 {
+                        #(#arms)*
+                        _ => None,
+                    }
+                }
+
+                #texts
+                #methods
+            }
+
+            #runtime::named!(#name, #shown);
+            #runtime::value!(#name as #number);
+        }
+    }
+
+    /// What the description says of the values, if it says something of any.
+    fn texts(&self) -> Option<TokenStream> {
+        let told = self.values.iter().filter_map(|value| Some((value, line(value.text.as_deref()?))));
+        let arms: Vec<TokenStream> = told
+            .filter(|(_, text)| !text.is_empty())
+            .map(|(value, text)| {
+                let literal = &value.literal;
+                quote!(#literal => #text,)
+            })
+            .collect();
+        let text = parsed("&'static str");
+        (!arms.is_empty()).then(|| {
+            quote! {
+                /// What the description says of the value; empty if nothing.
+                pub const fn text(self) -> #text {
+                    match self.0 {
+                        #(#arms)*
+                        _ => "",
+                    }
+                }
+            }
+        })
     }
 }

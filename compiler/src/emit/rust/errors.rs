@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::doc::{Doc, escape, place, sentence};
-use super::literal::{hex8, hex16, number};
+use super::literal::{hex8, hex16, line, number};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::types::address;
@@ -98,7 +98,7 @@ fn table(name: &Ident, codes: &[&ErrorCode], ranges: &[&ErrorCode]) -> TokenStre
                     code: u16,
                     name: &'static str,
                     register: Option<u8>,
-                    vendor_codes: &'static [i32],
+                    vendor_codes: &'static [u32],
                     text: &'static str,
                 ) -> ErrorInfo {
                     ErrorInfo { code, name, register, vendor_codes, text }
@@ -116,5 +116,5 @@ fn table(name: &Ident, codes: &[&ErrorCode], ranges: &[&ErrorCode]) -> TokenStre
 /// Meaning and remedy.
 fn text(error: &ErrorCode) -> String {
     let parts = [error.about.as_deref(), error.remedy.as_deref()];
-    parts.into_iter().flatten().map(str::trim).collect::<Vec<_>>().join(" ")
+    line(&parts.into_iter().flatten().collect::<Vec<_>>().join(" "))
 }

@@ -20,8 +20,8 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         )]
 
         use #runtime::cia402::{
-            Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange, Modes, Pattern,
-            Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
+            Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange,
+            Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
         };
         use #runtime::error::{ErrorInfo, ErrorRange};
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};

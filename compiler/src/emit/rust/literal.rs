@@ -11,6 +11,11 @@ pub(super) fn parsed(text: &str) -> TokenStream {
     text.parse().unwrap_or_default()
 }
 
+/// A text as one line.
+pub(super) fn line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// An index, a mask or another number of 16 bits: `0x6040`.
 pub(super) fn hex16(value: u16) -> TokenStream {
     parsed(&format!("0x{value:04X}"))

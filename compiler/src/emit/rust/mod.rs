@@ -12,6 +12,7 @@ mod doc;
 mod entry;
 mod errors;
 mod head;
+mod homing;
 mod images;
 mod information;
 mod literal;
@@ -94,6 +95,7 @@ pub fn member(device: &Device, options: &Options) -> TokenStream {
         commands::items(&scope),
         modes::items(&scope),
         machine::items(&scope),
+        homing::items(&scope),
         errors::items(&scope),
         units::module(&scope),
         dictionary::module(&scope),

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::doc::{Doc, escape, sentence};
-use super::literal::number;
+use super::literal::{line, number, parsed};
 use super::names::{Names, camel};
 use super::scope::Scope;
 use crate::model::Mode;
@@ -22,14 +22,21 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         let (doc, code) = (doc(scope, mode), number(code));
         quote!(#doc #name = #code,)
     });
-    let implementation = implementation(&modes, &names);
+    let (texts, implementation) = (texts(&modes, &names), implementation(&modes, &names));
     quote! {
         /// `0x6060` The modes of operation.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[repr(i8)]
         pub enum ModeOfOperation { #(#variants)* }
 
+        #texts
         #implementation
+
+        impl core::fmt::Display for ModeOfOperation {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.write_str(self.name())
+            }
+        }
     }
 }
 
@@ -42,6 +49,25 @@ fn doc(scope: &Scope<'_>, mode: &Mode) -> Doc {
         doc.text("Caution:").lines(mode.cautions.iter().map(|caution| format!("- {}", escape(caution))))
     };
     doc.source(mode.source.as_ref(), scope.device)
+}
+
+/// What the drive does in the modes.
+fn texts(modes: &[(&Mode, i8)], names: &[Ident]) -> TokenStream {
+    let arms = modes.iter().zip(names).map(|((mode, _), name)| {
+        let text = line(mode.about.as_deref().unwrap_or_default());
+        quote!(Self::#name => #text,)
+    });
+    let text = parsed("&'static str");
+    quote! {
+        impl ModeOfOperation {
+            /// What the drive does in the mode; empty if the description does not say.
+            pub const fn text(self) -> #text {
+                match self {
+                    #(#arms)*
+                }
+            }
+        }
+    }
 }
 
 fn implementation(modes: &[(&Mode, i8)], names: &[Ident]) -> TokenStream {

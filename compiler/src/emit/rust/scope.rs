@@ -11,6 +11,7 @@ use crate::model::{Device, Object, Pdo};
 /// Names that every module has or that it imports.
 const RESERVED: &[&str] = &[
     "Access",
+    "AlStatusCode",
     "Address",
     "Axis",
     "Carries",

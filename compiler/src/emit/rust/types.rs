@@ -138,12 +138,29 @@ impl<'a> Types<'a> {
         if !device.errors.is_empty() {
             types.newtypes.insert(address(0x603F), names.claim(&camel("error-code")));
         }
+        types.add_homing_methods(device, names);
         for object in device.objects.iter().filter(|object| object.axis.unwrap_or(0) == 0) {
             for entry in &object.entries {
                 types.add_code(object, entry, device, names);
             }
         }
         types
+    }
+
+    /// Homing methods have a type of their own, in 0x6098 and in the list of those that there are, 0x60E3.
+    fn add_homing_methods(&mut self, device: &Device, names: &mut Names) {
+        let is_number = |entry: &&Entry| Primitive::of(entry.data_type) == Primitive::Signed(8);
+        if device.homing_methods.is_empty()
+            || !device.entry(address(0x6098)).is_some_and(|entry| is_number(&entry))
+        {
+            return;
+        }
+        let name = names.claim(&camel("homing-method"));
+        let listed = device.object(Index(0x60E3)).into_iter().flat_map(|object| &object.entries);
+        let listed = listed.filter(|entry| entry.address.subindex > 0).filter(is_number);
+        for place in listed.map(|entry| entry.address).chain([address(0x6098)]) {
+            self.newtypes.insert(place, name.clone());
+        }
     }
 
     fn add_code(&mut self, object: &'a Object, entry: &'a Entry, device: &Device, names: &mut Names) {
