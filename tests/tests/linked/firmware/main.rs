@@ -1,0 +1,44 @@
+//! Firmware and a control program in one, that has nothing to panic or to allocate with.
+//!
+//! Linked without a start file, and with a panic handler that calls what does not exist: if any of what `_start`
+//! reaches could panic, the linker would look for it and fail. There is no allocator, and no crate that would ask
+//! for one.
+#![no_std]
+#![no_main]
+
+#[path = "../../../../generated/c887/c887.rs"]
+mod c887;
+mod dictionary;
+mod master;
+mod process_data;
+mod drive;
+
+use core::hint::black_box;
+
+unsafe extern "C" {
+    fn a_panic_can_be_reached() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    unsafe { a_panic_can_be_reached() }
+}
+
+/// The core library names it, though nothing unwinds.
+#[unsafe(no_mangle)]
+extern "C" fn rust_eh_personality() {}
+
+#[unsafe(no_mangle)]
+extern "C" fn _start() -> ! {
+    loop {
+        process_data::run();
+        #[cfg(not(only_process_data))]
+        {
+            dictionary::run();
+            drive::run();
+            master::run();
+        }
+        #[cfg(with_a_panic)]
+        black_box(black_box(&[0_u8][..])[black_box(1)]);
+    }
+}

@@ -1,0 +1,85 @@
+//! What runs in a device has nothing to panic or to allocate with: shown by linking it without either.
+//!
+//! `firmware/` is a program without `std`, without `alloc` and without a start file, over the runtime and the
+//! generated module of the C-887: process data, the dictionary with its server and mailbox, the machines of both sides.
+//! Its panic handler calls a function that does not exist. So it links only if nothing that it reaches can panic. It
+//! is not a package, for the packages of this workspace forbid the `unsafe` that such a handler needs.
+#![cfg(test)]
+#![cfg(target_os = "linux")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// What the handler calls.
+const MISSING: &str = "a_panic_can_be_reached";
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The compiler, to make what has to run without cargo's choices.
+fn rustc(optimised: &str, out: &Path) -> Command {
+    let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+    rustc.args(["--edition=2024", "-Cpanic=abort", "-Cdebug-assertions=no", "-Awarnings", "--out-dir"]);
+    rustc.arg(out).arg(format!("-Copt-level={optimised}"));
+    rustc
+}
+
+/// Compiles the runtime, then the firmware with it.
+fn link(optimised: &str, flags: &[&str], out: &Path) -> Output {
+    let mut runtime = rustc(optimised, out);
+    runtime
+        .args(["--crate-type=rlib", "--crate-name=devc_runtime"])
+        .arg(root().join("../runtime/src/lib.rs"));
+    let output = runtime.output().expect("there is a compiler");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let mut firmware = rustc(optimised, out);
+    firmware.args(["--crate-name=firmware", "-Clink-arg=-nostartfiles"]);
+    // for `memcpy` and its like, which the compiler calls for copies
+    firmware.arg("-Clink-arg=-lc").args(flags).arg("--extern");
+    firmware.arg(format!("devc_runtime={}", out.join("libdevc_runtime.rlib").display()));
+    firmware.arg(root().join("tests/linked/firmware/main.rs"));
+    firmware.output().expect("there is a compiler")
+}
+
+/// Links the firmware, and gives what came of it.
+fn linked(optimised: &str, flags: &[&str]) -> (tempfile::TempDir, PathBuf) {
+    let out = tempfile::tempdir().expect("there is room");
+    let output = link(optimised, flags, out.path());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let firmware = out.path().join("firmware");
+    (out, firmware)
+}
+
+#[test]
+fn nothing_can_panic_in_fast_code() {
+    linked("3", &[]);
+}
+
+#[test]
+fn nothing_can_panic_in_small_code() {
+    linked("z", &[]);
+}
+
+#[test]
+fn process_data_cannot_panic_even_in_code_that_is_not_optimised() {
+    linked("0", &["--cfg=only_process_data"]);
+}
+
+/// The proof of the proof.
+#[test]
+fn what_can_panic_does_not_link() {
+    let out = tempfile::tempdir().expect("there is room");
+    let output = link("3", &["--cfg=with_a_panic"], out.path());
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && message.contains(MISSING), "{message}");
+}
+
+#[test]
+fn nothing_is_allocated() {
+    let (_out, firmware) = linked("s", &[]);
+    let code = std::fs::read(firmware).expect("the firmware is linked");
+    let names = |name: &[u8]| code.windows(name.len()).any(|bytes| bytes == name);
+    assert!(names(b"memcpy"), "the names of what is called are in the file");
+    assert!(!names(b"malloc") && !names(b"__rust_alloc"));
+}
