@@ -3372,6 +3372,7 @@ pub mod dictionary {
             Page { axis: 5, ..PAGE_65 },
             Page { axis: 5, ..PAGE_67 },
         ],
+        constants: &CONSTANTS,
     };
 
     const DIRECTORY: [u8; 256] = positions(
@@ -3382,21 +3383,44 @@ pub mod dictionary {
         ],
     );
 
+    const CONSTANTS: [u8; 394] = [
+        0x04, 0x03, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x05, 0x10, 0x00,
+        0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00, 0x83,
+        0x60, 0x03, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x05, 0x10, 0x00,
+        0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x20, 0x00, 0x81, 0x68, 0x20, 0x00, 0x83,
+        0x68, 0x03, 0x10, 0x00, 0x40, 0x70, 0x08, 0x00, 0x60, 0x70, 0x20, 0x00, 0x7A, 0x70, 0x05, 0x10, 0x00,
+        0x40, 0x70, 0x08, 0x00, 0x60, 0x70, 0x20, 0x00, 0x7A, 0x70, 0x20, 0x00, 0x81, 0x70, 0x20, 0x00, 0x83,
+        0x70, 0x03, 0x10, 0x00, 0x40, 0x78, 0x08, 0x00, 0x60, 0x78, 0x20, 0x00, 0x7A, 0x78, 0x05, 0x10, 0x00,
+        0x40, 0x78, 0x08, 0x00, 0x60, 0x78, 0x20, 0x00, 0x7A, 0x78, 0x20, 0x00, 0x81, 0x78, 0x20, 0x00, 0x83,
+        0x78, 0x03, 0x10, 0x00, 0x40, 0x80, 0x08, 0x00, 0x60, 0x80, 0x20, 0x00, 0x7A, 0x80, 0x05, 0x10, 0x00,
+        0x40, 0x80, 0x08, 0x00, 0x60, 0x80, 0x20, 0x00, 0x7A, 0x80, 0x20, 0x00, 0x81, 0x80, 0x20, 0x00, 0x83,
+        0x80, 0x03, 0x10, 0x00, 0x40, 0x88, 0x08, 0x00, 0x60, 0x88, 0x20, 0x00, 0x7A, 0x88, 0x05, 0x10, 0x00,
+        0x40, 0x88, 0x08, 0x00, 0x60, 0x88, 0x20, 0x00, 0x7A, 0x88, 0x20, 0x00, 0x81, 0x88, 0x20, 0x00, 0x83,
+        0x88, 0x04, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20, 0x00, 0xF4,
+        0x60, 0x03, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x04, 0x10, 0x00,
+        0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68, 0x20, 0x00, 0xF4, 0x68, 0x03, 0x10, 0x00,
+        0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68, 0x04, 0x10, 0x00, 0x41, 0x70, 0x08, 0x00,
+        0x61, 0x70, 0x20, 0x00, 0x64, 0x70, 0x20, 0x00, 0xF4, 0x70, 0x03, 0x10, 0x00, 0x41, 0x70, 0x08, 0x00,
+        0x61, 0x70, 0x20, 0x00, 0x64, 0x70, 0x04, 0x10, 0x00, 0x41, 0x78, 0x08, 0x00, 0x61, 0x78, 0x20, 0x00,
+        0x64, 0x78, 0x20, 0x00, 0xF4, 0x78, 0x03, 0x10, 0x00, 0x41, 0x78, 0x08, 0x00, 0x61, 0x78, 0x20, 0x00,
+        0x64, 0x78, 0x04, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00, 0x64, 0x80, 0x20, 0x00,
+        0xF4, 0x80, 0x03, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00, 0x64, 0x80, 0x04, 0x10,
+        0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88, 0x20, 0x00, 0xF4, 0x88, 0x03, 0x10,
+        0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88, 0x04, 0x01, 0x02, 0x03, 0x04, 0x00,
+        0x20, 0x06, 0x02,
+    ];
+
     const fn object(
         code: ObjectCode,
         axis: u8,
         field: u16,
         entries: &'static [EntryInfo],
-        constants: &'static [u8],
+        constants: u16,
     ) -> ObjectInfo {
         ObjectInfo { code, axis, field, entries, constants }
     }
 
-    const fn constant(
-        code: ObjectCode,
-        entries: &'static [EntryInfo],
-        constants: &'static [u8],
-    ) -> ObjectInfo {
+    const fn constant(code: ObjectCode, entries: &'static [EntryInfo], constants: u16) -> ObjectInfo {
         object(code, 0, 0, entries, constants)
     }
 
@@ -3421,17 +3445,17 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_10,
         objects: &[
-            object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-            object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-            object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 112, RO)], &[]),
-            object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], &[]),
-            object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], &[]),
+            object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
+            object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 112, RO)], 0),
+            object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], 0),
+            object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], 0),
             object(
                 ObjectCode::Record,
                 0,
                 5,
                 &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                &[4],
+                0,
             ),
         ],
     };
@@ -3447,80 +3471,62 @@ pub mod dictionary {
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60],
+                1,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x05, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00,
-                    0x81, 0x60, 0x20, 0x00, 0x83, 0x60,
-                ],
+                14,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68],
+                35,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x05, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x20, 0x00,
-                    0x81, 0x68, 0x20, 0x00, 0x83, 0x68,
-                ],
+                48,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x40, 0x70, 0x08, 0x00, 0x60, 0x70, 0x20, 0x00, 0x7A, 0x70],
+                69,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x05, 0x10, 0x00, 0x40, 0x70, 0x08, 0x00, 0x60, 0x70, 0x20, 0x00, 0x7A, 0x70, 0x20, 0x00,
-                    0x81, 0x70, 0x20, 0x00, 0x83, 0x70,
-                ],
+                82,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x40, 0x78, 0x08, 0x00, 0x60, 0x78, 0x20, 0x00, 0x7A, 0x78],
+                103,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x05, 0x10, 0x00, 0x40, 0x78, 0x08, 0x00, 0x60, 0x78, 0x20, 0x00, 0x7A, 0x78, 0x20, 0x00,
-                    0x81, 0x78, 0x20, 0x00, 0x83, 0x78,
-                ],
+                116,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x40, 0x80, 0x08, 0x00, 0x60, 0x80, 0x20, 0x00, 0x7A, 0x80],
+                137,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x05, 0x10, 0x00, 0x40, 0x80, 0x08, 0x00, 0x60, 0x80, 0x20, 0x00, 0x7A, 0x80, 0x20, 0x00,
-                    0x81, 0x80, 0x20, 0x00, 0x83, 0x80,
-                ],
+                150,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x40, 0x88, 0x08, 0x00, 0x60, 0x88, 0x20, 0x00, 0x7A, 0x88],
+                171,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x05, 0x10, 0x00, 0x40, 0x88, 0x08, 0x00, 0x60, 0x88, 0x20, 0x00, 0x7A, 0x88, 0x20, 0x00,
-                    0x81, 0x88, 0x20, 0x00, 0x83, 0x88,
-                ],
+                184,
             ),
         ],
     };
@@ -3536,80 +3542,62 @@ pub mod dictionary {
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x04, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20, 0x00,
-                    0xF4, 0x60,
-                ],
+                205,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60],
+                222,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x04, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68, 0x20, 0x00,
-                    0xF4, 0x68,
-                ],
+                235,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x41, 0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68],
+                252,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x04, 0x10, 0x00, 0x41, 0x70, 0x08, 0x00, 0x61, 0x70, 0x20, 0x00, 0x64, 0x70, 0x20, 0x00,
-                    0xF4, 0x70,
-                ],
+                265,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x41, 0x70, 0x08, 0x00, 0x61, 0x70, 0x20, 0x00, 0x64, 0x70],
+                282,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x04, 0x10, 0x00, 0x41, 0x78, 0x08, 0x00, 0x61, 0x78, 0x20, 0x00, 0x64, 0x78, 0x20, 0x00,
-                    0xF4, 0x78,
-                ],
+                295,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x41, 0x78, 0x08, 0x00, 0x61, 0x78, 0x20, 0x00, 0x64, 0x78],
+                312,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x04, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00, 0x64, 0x80, 0x20, 0x00,
-                    0xF4, 0x80,
-                ],
+                325,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00, 0x64, 0x80],
+                342,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[
-                    0x04, 0x10, 0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88, 0x20, 0x00,
-                    0xF4, 0x88,
-                ],
+                355,
             ),
             constant(
                 ObjectCode::Record,
                 &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                &[0x03, 0x10, 0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88],
+                372,
             ),
         ],
     };
@@ -3624,10 +3612,10 @@ pub mod dictionary {
             constant(
                 ObjectCode::Array,
                 &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                &[0x04, 0x01, 0x02, 0x03, 0x04],
+                385,
             ),
-            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], &[0]),
-            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], &[0]),
+            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 390),
+            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 390),
             object(
                 ObjectCode::Array,
                 0,
@@ -3642,7 +3630,7 @@ pub mod dictionary {
                     entry(6, 6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     entry(7, 7, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                 ],
-                &[],
+                0,
             ),
             object(
                 ObjectCode::Array,
@@ -3657,7 +3645,7 @@ pub mod dictionary {
                     entry(5, 5, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     entry(6, 6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                 ],
-                &[],
+                0,
             ),
             object(
                 ObjectCode::Record,
@@ -3679,7 +3667,7 @@ pub mod dictionary {
                     entry(12, 11, DataType::UNSIGNED16, 16, RO),
                     entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                 ],
-                &[32],
+                391,
             ),
             object(
                 ObjectCode::Record,
@@ -3701,7 +3689,7 @@ pub mod dictionary {
                     entry(12, 11, DataType::UNSIGNED16, 16, RO),
                     entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                 ],
-                &[32],
+                391,
             ),
         ],
     };
@@ -3718,28 +3706,28 @@ pub mod dictionary {
                 0,
                 10,
                 &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                &[6],
+                392,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 11,
                 &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                &[6],
+                392,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 12,
                 &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                &[6],
+                392,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 13,
                 &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
-                &[4],
+                0,
             ),
             object(
                 ObjectCode::Array,
@@ -3752,35 +3740,35 @@ pub mod dictionary {
                     entry(3, 3, DataType::INTEGER32, 32, RW),
                     entry(4, 4, DataType::INTEGER32, 32, RW),
                 ],
-                &[],
+                0,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 15,
                 &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                &[6],
+                392,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 16,
                 &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RO) },
-                &[6],
+                392,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 17,
                 &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RO) },
-                &[2],
+                393,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 18,
                 &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
-                &[4],
+                0,
             ),
         ],
     };
@@ -3795,29 +3783,29 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_60,
         objects: &[
-            object(ObjectCode::Variable, 0, 19, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
-            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], &[]),
-            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], &[]),
-            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+            object(ObjectCode::Variable, 0, 19, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             object(
                 ObjectCode::Array,
                 0,
                 26,
                 &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                &[2],
+                393,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 27,
                 &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                &[2],
+                393,
             ),
-            object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+            object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             object(
                 ObjectCode::Record,
                 0,
@@ -3827,11 +3815,11 @@ pub mod dictionary {
                     entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
                     entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                 ],
-                &[2],
+                393,
             ),
-            object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+            object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
         ],
     };
 
@@ -3841,7 +3829,7 @@ pub mod dictionary {
         first: 0x02,
         axis: 0,
         slots: &SLOTS_65,
-        objects: &[object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[])],
+        objects: &[object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
     };
 
     const SLOTS_67: [u8; 1] = positions(0xFF, &[0xFF]);
@@ -3850,7 +3838,7 @@ pub mod dictionary {
         first: 0xFF,
         axis: 0,
         slots: &SLOTS_67,
-        objects: &[object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[])],
+        objects: &[object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
     };
 
     /// The name of every object and entry, for a firmware that tells what is in its dictionary.

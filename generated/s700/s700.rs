@@ -5117,26 +5117,58 @@ pub mod s300 {
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
             ],
+            constants: &CONSTANTS,
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
+
+        const CONSTANTS: [u8; 505] = [
+            0x04, 0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x02, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60, 0x05, 0x20, 0x00, 0xC1,
+            0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40,
+            0x60, 0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10, 0x00,
+            0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60,
+            0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+            0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61,
+            0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x03, 0x20, 0x00,
+            0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23, 0x08, 0x20, 0x00, 0x7A, 0x60, 0x20,
+            0x00, 0x81, 0x60, 0x20, 0x00, 0x03, 0x23, 0x20, 0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10,
+            0x00, 0x86, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xC1, 0x60,
+            0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
+            0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07,
+            0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x10, 0x00,
+            0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03, 0x90, 0x20, 0x20, 0x04, 0x90, 0x20, 0x20, 0x05,
+            0x90, 0x20, 0x20, 0x06, 0x90, 0x20, 0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x03,
+            0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63,
+            0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00,
+            0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20,
+            0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x07,
+            0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60,
+            0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x07, 0x20, 0x00, 0x63,
+            0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41,
+            0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00,
+            0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xFD, 0x60, 0x0C, 0x20, 0x00, 0x63, 0x60, 0x20,
+            0x00, 0x50, 0x20, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20,
+            0x00, 0x03, 0x10, 0x20, 0x00, 0x00, 0x20, 0x20, 0x00, 0xFD, 0x60, 0x10, 0x01, 0xB2, 0x20, 0x10,
+            0x02, 0xB2, 0x20, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0x02, 0x10, 0x09, 0x20, 0x00, 0x63, 0x60,
+            0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20,
+            0x20, 0x03, 0x30, 0x20, 0x10, 0x04, 0x50, 0x23, 0x10, 0x05, 0x50, 0x23, 0x20, 0x06, 0x30, 0x20,
+            0x04, 0x01, 0x02, 0x03, 0x04, 0x20, 0x08, 0x10, 0x02,
+        ];
 
         const fn object(
             code: ObjectCode,
             axis: u8,
             field: u16,
             entries: &'static [EntryInfo],
-            constants: &'static [u8],
+            constants: u16,
         ) -> ObjectInfo {
             ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
+        const fn constant(code: ObjectCode, entries: &'static [EntryInfo], constants: u16) -> ObjectInfo {
             object(code, 0, 0, entries, constants)
         }
 
@@ -5161,19 +5193,19 @@ pub mod s300 {
             axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     7,
                     &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
+                    0,
                 ),
             ],
         };
@@ -5189,7 +5221,7 @@ pub mod s300 {
                 0,
                 8,
                 &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                &[],
+                0,
             )],
         };
 
@@ -5204,96 +5236,67 @@ pub mod s300 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    1,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    10,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    19,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    28,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    49,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
+                    70,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    87,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
-                        0x20,
-                    ],
+                    112,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x03, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23],
+                    141,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x08, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00, 0x03, 0x23, 0x20,
-                        0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10, 0x00, 0x86, 0x60, 0x10, 0x00, 0x40,
-                        0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    154,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    187,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    212,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03, 0x90, 0x20, 0x20,
-                        0x04, 0x90, 0x20, 0x20, 0x05, 0x90, 0x20, 0x20, 0x06, 0x90, 0x20,
-                    ],
+                    237,
                 ),
             ],
         };
@@ -5309,7 +5312,7 @@ pub mod s300 {
                 0,
                 9,
                 &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                &[],
+                0,
             )],
         };
 
@@ -5324,81 +5327,52 @@ pub mod s300 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    262,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    271,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    284,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    301,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
-                        0x00, 0xA0, 0x20,
-                    ],
+                    318,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    335,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    364,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xFD, 0x60,
-                    ],
+                    393,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<13>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x0C, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x20, 0x00, 0x6C, 0x60, 0x10,
-                        0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20, 0x00, 0x03, 0x10, 0x20, 0x00, 0x00,
-                        0x20, 0x20, 0x00, 0xFD, 0x60, 0x10, 0x01, 0xB2, 0x20, 0x10, 0x02, 0xB2, 0x20, 0x20,
-                        0x00, 0xF4, 0x60, 0x20, 0x00, 0x02, 0x10,
-                    ],
+                    410,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<10>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x09, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20, 0x20, 0x03, 0x30, 0x20, 0x10, 0x04, 0x50,
-                        0x23, 0x10, 0x05, 0x50, 0x23, 0x20, 0x06, 0x30, 0x20,
-                    ],
+                    459,
                 ),
             ],
         };
@@ -5413,7 +5387,7 @@ pub mod s300 {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                    496,
                 ),
                 object(
                     ObjectCode::Array,
@@ -5423,7 +5397,7 @@ pub mod s300 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Array,
@@ -5433,7 +5407,7 @@ pub mod s300 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
@@ -5455,7 +5429,7 @@ pub mod s300 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    501,
                 ),
                 object(
                     ObjectCode::Record,
@@ -5477,7 +5451,7 @@ pub mod s300 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    501,
                 ),
             ],
         };
@@ -5490,66 +5464,54 @@ pub mod s300 {
             axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     15,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    &[8],
+                    502,
                 ),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     17,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    503,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     18,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    503,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     19,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    503,
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     21,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                    &[8],
+                    502,
                 ),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    24,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     26,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[2],
+                    504,
                 ),
             ],
         };
@@ -5562,36 +5524,30 @@ pub mod s300 {
             axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     35,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[8],
+                    502,
                 ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     39,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    0,
                 ),
             ],
         };
@@ -5607,7 +5563,7 @@ pub mod s300 {
                 0,
                 40,
                 &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
-                &[],
+                0,
             )],
         };
 
@@ -5618,9 +5574,9 @@ pub mod s300 {
             axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
             ],
         };
 
@@ -5637,34 +5593,22 @@ pub mod s300 {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -5674,12 +5618,12 @@ pub mod s300 {
                         entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
+                    504,
                 ),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
 
@@ -5689,13 +5633,7 @@ pub mod s300 {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(
-                ObjectCode::Variable,
-                0,
-                65,
-                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
-                &[],
-            )],
+            objects: &[object(ObjectCode::Variable, 0, 65, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
     }
 }
@@ -9768,26 +9706,44 @@ pub mod s400 {
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
             ],
+            constants: &CONSTANTS,
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
+
+        const CONSTANTS: [u8; 281] = [
+            0x04, 0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x02, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60, 0x05, 0x20, 0x00, 0xC1,
+            0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40,
+            0x60, 0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10, 0x00,
+            0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60,
+            0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+            0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61,
+            0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x02, 0x20, 0x00,
+            0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10,
+            0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23,
+            0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4,
+            0x60, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00,
+            0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10,
+            0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
+            0x00, 0xA0, 0x20, 0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60,
+            0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
+            0x04, 0x01, 0x02, 0x03, 0x04, 0x20, 0x08, 0x10, 0x02,
+        ];
 
         const fn object(
             code: ObjectCode,
             axis: u8,
             field: u16,
             entries: &'static [EntryInfo],
-            constants: &'static [u8],
+            constants: u16,
         ) -> ObjectInfo {
             ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
+        const fn constant(code: ObjectCode, entries: &'static [EntryInfo], constants: u16) -> ObjectInfo {
             object(code, 0, 0, entries, constants)
         }
 
@@ -9812,19 +9768,19 @@ pub mod s400 {
             axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     7,
                     &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
+                    0,
                 ),
             ],
         };
@@ -9839,58 +9795,42 @@ pub mod s400 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    1,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    10,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    19,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    28,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    49,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
+                    70,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    87,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
-                        0x20,
-                    ],
+                    112,
                 ),
             ],
         };
@@ -9905,54 +9845,37 @@ pub mod s400 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    141,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    150,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    163,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    180,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
-                        0x00, 0xA0, 0x20,
-                    ],
+                    197,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    214,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    243,
                 ),
             ],
         };
@@ -9967,7 +9890,7 @@ pub mod s400 {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                    272,
                 ),
                 object(
                     ObjectCode::Array,
@@ -9977,7 +9900,7 @@ pub mod s400 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Array,
@@ -9987,7 +9910,7 @@ pub mod s400 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
@@ -10009,7 +9932,7 @@ pub mod s400 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    277,
                 ),
                 object(
                     ObjectCode::Record,
@@ -10031,7 +9954,7 @@ pub mod s400 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    277,
                 ),
             ],
         };
@@ -10044,66 +9967,54 @@ pub mod s400 {
             axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     13,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    &[8],
+                    278,
                 ),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     15,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    279,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     16,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    279,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     17,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    279,
                 ),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     19,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                    &[8],
+                    278,
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    21,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    22,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     24,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[2],
+                    280,
                 ),
             ],
         };
@@ -10116,36 +10027,30 @@ pub mod s400 {
             axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     33,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[8],
+                    278,
                 ),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     37,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    0,
                 ),
             ],
         };
@@ -10161,7 +10066,7 @@ pub mod s400 {
                 0,
                 38,
                 &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
-                &[],
+                0,
             )],
         };
 
@@ -10172,9 +10077,9 @@ pub mod s400 {
             axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
             ],
         };
 
@@ -10191,34 +10096,22 @@ pub mod s400 {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -10228,12 +10121,12 @@ pub mod s400 {
                         entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
+                    280,
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
 
@@ -10243,13 +10136,7 @@ pub mod s400 {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(
-                ObjectCode::Variable,
-                0,
-                63,
-                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
-                &[],
-            )],
+            objects: &[object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
     }
 }
@@ -14322,26 +14209,44 @@ pub mod s600 {
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
             ],
+            constants: &CONSTANTS,
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x17, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
+
+        const CONSTANTS: [u8; 281] = [
+            0x04, 0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x02, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60, 0x05, 0x20, 0x00, 0xC1,
+            0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40,
+            0x60, 0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10, 0x00,
+            0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60,
+            0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+            0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61,
+            0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x02, 0x20, 0x00,
+            0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10,
+            0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23,
+            0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4,
+            0x60, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00,
+            0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10,
+            0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
+            0x00, 0xA0, 0x20, 0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60,
+            0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20,
+            0x04, 0x01, 0x02, 0x03, 0x04, 0x20, 0x08, 0x10, 0x02,
+        ];
 
         const fn object(
             code: ObjectCode,
             axis: u8,
             field: u16,
             entries: &'static [EntryInfo],
-            constants: &'static [u8],
+            constants: u16,
         ) -> ObjectInfo {
             ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
+        const fn constant(code: ObjectCode, entries: &'static [EntryInfo], constants: u16) -> ObjectInfo {
             object(code, 0, 0, entries, constants)
         }
 
@@ -14366,19 +14271,19 @@ pub mod s600 {
             axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     7,
                     &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
+                    0,
                 ),
             ],
         };
@@ -14393,58 +14298,42 @@ pub mod s600 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    1,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    10,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    19,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    28,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    49,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
+                    70,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    87,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
-                        0x20,
-                    ],
+                    112,
                 ),
             ],
         };
@@ -14459,54 +14348,37 @@ pub mod s600 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    141,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    150,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    163,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    180,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
-                        0x00, 0xA0, 0x20,
-                    ],
+                    197,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    214,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    243,
                 ),
             ],
         };
@@ -14521,7 +14393,7 @@ pub mod s600 {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                    272,
                 ),
                 object(
                     ObjectCode::Array,
@@ -14531,7 +14403,7 @@ pub mod s600 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Array,
@@ -14541,7 +14413,7 @@ pub mod s600 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
@@ -14563,7 +14435,7 @@ pub mod s600 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    277,
                 ),
                 object(
                     ObjectCode::Record,
@@ -14585,7 +14457,7 @@ pub mod s600 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    277,
                 ),
             ],
         };
@@ -14598,66 +14470,54 @@ pub mod s600 {
             axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 12, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     13,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    &[8],
+                    278,
                 ),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     15,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    279,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     16,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    279,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     17,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    279,
                 ),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     19,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                    &[8],
+                    278,
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    21,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    22,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     24,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[2],
+                    280,
                 ),
             ],
         };
@@ -14670,36 +14530,30 @@ pub mod s600 {
             axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     33,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[8],
+                    278,
                 ),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     37,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    0,
                 ),
             ],
         };
@@ -14715,7 +14569,7 @@ pub mod s600 {
                 0,
                 38,
                 &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
-                &[],
+                0,
             )],
         };
 
@@ -14726,9 +14580,9 @@ pub mod s600 {
             axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 40, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
             ],
         };
 
@@ -14745,34 +14599,22 @@ pub mod s600 {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -14782,12 +14624,12 @@ pub mod s600 {
                         entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
+                    280,
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
 
@@ -14797,13 +14639,7 @@ pub mod s600 {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(
-                ObjectCode::Variable,
-                0,
-                63,
-                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
-                &[],
-            )],
+            objects: &[object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
     }
 }
@@ -19932,26 +19768,58 @@ pub mod s700 {
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
             ],
+            constants: &CONSTANTS,
         };
 
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x17, 0x1A, 0x1B, 0x1C, 0x20, 0x23, 0x35, 0x36, 0x60, 0x65]);
+
+        const CONSTANTS: [u8; 505] = [
+            0x04, 0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x02, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60, 0x05, 0x20, 0x00, 0xC1,
+            0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40,
+            0x60, 0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10, 0x00,
+            0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10,
+            0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60,
+            0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
+            0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x61,
+            0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x03, 0x20, 0x00,
+            0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23, 0x08, 0x20, 0x00, 0x7A, 0x60, 0x20,
+            0x00, 0x81, 0x60, 0x20, 0x00, 0x03, 0x23, 0x20, 0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10,
+            0x00, 0x86, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xC1, 0x60,
+            0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
+            0x10, 0x00, 0xA4, 0x20, 0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07,
+            0x23, 0x10, 0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20, 0x06, 0x10, 0x00,
+            0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03, 0x90, 0x20, 0x20, 0x04, 0x90, 0x20, 0x20, 0x05,
+            0x90, 0x20, 0x20, 0x06, 0x90, 0x20, 0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x03,
+            0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00, 0x63,
+            0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20, 0x00,
+            0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x04, 0x20,
+            0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x07,
+            0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60,
+            0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x07, 0x20, 0x00, 0x63,
+            0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41,
+            0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0, 0x20, 0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00,
+            0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xFD, 0x60, 0x0C, 0x20, 0x00, 0x63, 0x60, 0x20,
+            0x00, 0x50, 0x20, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20,
+            0x00, 0x03, 0x10, 0x20, 0x00, 0x00, 0x20, 0x20, 0x00, 0xFD, 0x60, 0x10, 0x01, 0xB2, 0x20, 0x10,
+            0x02, 0xB2, 0x20, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0x02, 0x10, 0x09, 0x20, 0x00, 0x63, 0x60,
+            0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20,
+            0x20, 0x03, 0x30, 0x20, 0x10, 0x04, 0x50, 0x23, 0x10, 0x05, 0x50, 0x23, 0x20, 0x06, 0x30, 0x20,
+            0x04, 0x01, 0x02, 0x03, 0x04, 0x20, 0x08, 0x10, 0x02,
+        ];
 
         const fn object(
             code: ObjectCode,
             axis: u8,
             field: u16,
             entries: &'static [EntryInfo],
-            constants: &'static [u8],
+            constants: u16,
         ) -> ObjectInfo {
             ObjectInfo { code, axis, field, entries, constants }
         }
 
-        const fn constant(
-            code: ObjectCode,
-            entries: &'static [EntryInfo],
-            constants: &'static [u8],
-        ) -> ObjectInfo {
+        const fn constant(code: ObjectCode, entries: &'static [EntryInfo], constants: u16) -> ObjectInfo {
             object(code, 0, 0, entries, constants)
         }
 
@@ -19976,19 +19844,19 @@ pub mod s700 {
             axis: 0,
             slots: &SLOTS_10,
             objects: &[
-                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], &[]),
-                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
-                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], &[]),
+                object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
+                object(ObjectCode::Variable, 0, 6, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     7,
                     &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                    &[4],
+                    0,
                 ),
             ],
         };
@@ -20004,7 +19872,7 @@ pub mod s700 {
                 0,
                 8,
                 &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                &[],
+                0,
             )],
         };
 
@@ -20019,96 +19887,67 @@ pub mod s700 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    1,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    10,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x10, 0x00, 0x71, 0x60, 0x10, 0x00, 0x40, 0x60],
+                    19,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    28,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x05, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60,
-                    ],
+                    49,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10,
-                        0x00, 0xA4, 0x20,
-                    ],
+                    70,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    87,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0xFF, 0x60, 0x10, 0x00, 0x71, 0x60, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x52, 0x23, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4,
-                        0x20,
-                    ],
+                    112,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x03, 0x20, 0x00, 0xC1, 0x60, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x02, 0x23],
+                    141,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x08, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00, 0x03, 0x23, 0x20,
-                        0x00, 0x83, 0x60, 0x20, 0x00, 0x84, 0x60, 0x10, 0x00, 0x86, 0x60, 0x10, 0x00, 0x40,
-                        0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    154,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xC1, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    187,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x20, 0x00, 0xFF, 0x60, 0x20, 0x00, 0x08, 0x23, 0x10, 0x00, 0x07, 0x23, 0x10,
-                        0x00, 0x61, 0x20, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0xA4, 0x20,
-                    ],
+                    212,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<7>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x06, 0x10, 0x00, 0x40, 0x60, 0x10, 0x00, 0x06, 0x23, 0x20, 0x03, 0x90, 0x20, 0x20,
-                        0x04, 0x90, 0x20, 0x20, 0x05, 0x90, 0x20, 0x20, 0x06, 0x90, 0x20,
-                    ],
+                    237,
                 ),
             ],
         };
@@ -20124,7 +19963,7 @@ pub mod s700 {
                 0,
                 9,
                 &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
-                &[],
+                0,
             )],
         };
 
@@ -20139,81 +19978,52 @@ pub mod s700 {
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x02, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    262,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[0x03, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60],
+                    271,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    284,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x41, 0x60,
-                    ],
+                    301,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20,
-                        0x00, 0xA0, 0x20,
-                    ],
+                    318,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x10, 0x00, 0x77, 0x60, 0x20,
-                        0x00, 0xF4, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    335,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<8>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x07, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x10,
-                        0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10, 0x00, 0xA5, 0x20, 0x20, 0x00, 0xA0,
-                        0x20,
-                    ],
+                    364,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x04, 0x20, 0x00, 0x63, 0x60, 0x10, 0x00, 0x53, 0x23, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x00, 0xFD, 0x60,
-                    ],
+                    393,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<13>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x0C, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x50, 0x20, 0x20, 0x00, 0x6C, 0x60, 0x10,
-                        0x00, 0x77, 0x60, 0x10, 0x00, 0x41, 0x60, 0x20, 0x00, 0x03, 0x10, 0x20, 0x00, 0x00,
-                        0x20, 0x20, 0x00, 0xFD, 0x60, 0x10, 0x01, 0xB2, 0x20, 0x10, 0x02, 0xB2, 0x20, 0x20,
-                        0x00, 0xF4, 0x60, 0x20, 0x00, 0x02, 0x10,
-                    ],
+                    410,
                 ),
                 constant(
                     ObjectCode::Record,
                     &const { EntryInfo::list::<10>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    &[
-                        0x09, 0x20, 0x00, 0x63, 0x60, 0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x41, 0x60, 0x10,
-                        0x01, 0x50, 0x23, 0x20, 0x02, 0x30, 0x20, 0x20, 0x03, 0x30, 0x20, 0x10, 0x04, 0x50,
-                        0x23, 0x10, 0x05, 0x50, 0x23, 0x20, 0x06, 0x30, 0x20,
-                    ],
+                    459,
                 ),
             ],
         };
@@ -20228,7 +20038,7 @@ pub mod s700 {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    &[0x04, 0x01, 0x02, 0x03, 0x04],
+                    496,
                 ),
                 object(
                     ObjectCode::Array,
@@ -20238,7 +20048,7 @@ pub mod s700 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Array,
@@ -20248,7 +20058,7 @@ pub mod s700 {
                         entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                         entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
                     ],
-                    &[],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
@@ -20270,7 +20080,7 @@ pub mod s700 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    501,
                 ),
                 object(
                     ObjectCode::Record,
@@ -20292,7 +20102,7 @@ pub mod s700 {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    &[32],
+                    501,
                 ),
             ],
         };
@@ -20305,66 +20115,54 @@ pub mod s700 {
             axis: 0,
             slots: &SLOTS_20,
             objects: &[
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     15,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    &[8],
+                    502,
                 ),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     17,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    503,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     18,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    503,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     19,
                     &const { EntryInfo::list::<17>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[16],
+                    503,
                 ),
-                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     21,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                    &[8],
+                    502,
                 ),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    23,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    24,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     26,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[2],
+                    504,
                 ),
             ],
         };
@@ -20377,36 +20175,30 @@ pub mod s700 {
             axis: 0,
             slots: &SLOTS_23,
             objects: &[
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
                     35,
                     &const { EntryInfo::list::<9>(0, DataType::INTEGER16, 16, RO.and(TX)) },
-                    &[8],
+                    502,
                 ),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     39,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    &[],
+                    0,
                 ),
             ],
         };
@@ -20422,7 +20214,7 @@ pub mod s700 {
                 0,
                 40,
                 &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))],
-                &[],
+                0,
             )],
         };
 
@@ -20433,9 +20225,9 @@ pub mod s700 {
             axis: 0,
             slots: &SLOTS_36,
             objects: &[
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
             ],
         };
 
@@ -20452,34 +20244,22 @@ pub mod s700 {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))],
-                    &[],
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))],
-                    &[],
-                ),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -20489,12 +20269,12 @@ pub mod s700 {
                         entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                     ],
-                    &[2],
+                    504,
                 ),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], &[]),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], &[]),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
 
@@ -20504,13 +20284,7 @@ pub mod s700 {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(
-                ObjectCode::Variable,
-                0,
-                65,
-                &[entry(0, 0, DataType::UNSIGNED32, 32, RO)],
-                &[],
-            )],
+            objects: &[object(ObjectCode::Variable, 0, 65, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
     }
 }

@@ -54,3 +54,12 @@ impl fmt::Display for WrongLength {
 }
 
 impl core::error::Error for WrongLength {}
+
+/// Copies as much as there is and as there is room for, and tells how much that is. Unlike `copy_from_slice`, which
+/// stops where lengths differ, it has no way to panic.
+#[inline]
+pub(crate) fn copy(to: &mut [u8], from: &[u8]) -> usize {
+    let length = to.len().min(from.len());
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+    length
+}

@@ -6,6 +6,7 @@ use super::request::{Request, complete_bit, place};
 use super::segment::Segment;
 use super::writer::Writer;
 use super::{ListKind, Response};
+use crate::bytes::copy;
 use crate::object::Address;
 use crate::sdo::{AbortCode, CommunicationState, Hooks, Part, Server, Values};
 
@@ -192,9 +193,8 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
 
     /// Puts a part into the buffer, and tells how much is there then.
     fn keep(&mut self, data: &[u8], done: usize) -> usize {
-        let room = self.buffer.iter_mut().skip(done);
-        room.zip(data).for_each(|(to, from)| *to = *from);
-        done.saturating_add(data.len())
+        let copied = copy(self.buffer.get_mut(done..).unwrap_or_default(), data);
+        done.saturating_add(copied)
     }
 }
 

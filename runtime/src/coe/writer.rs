@@ -1,6 +1,7 @@
 //! Bytes that are written one after another.
 
 use super::Malformed;
+use crate::bytes::copy;
 
 /// A message that is being written.
 #[derive(Debug)]
@@ -19,9 +20,8 @@ impl<'a> Writer<'a> {
     pub(super) fn put(mut self, bytes: &[u8]) -> Self {
         match core::mem::take(&mut self.rest).split_at_mut_checked(bytes.len()) {
             Some((room, rest)) => {
-                room.iter_mut().zip(bytes).for_each(|(to, from)| *to = *from);
+                self.written = self.written.saturating_add(copy(room, bytes));
                 self.rest = rest;
-                self.written = self.written.saturating_add(bytes.len());
             }
             None => self.is_full = true,
         }

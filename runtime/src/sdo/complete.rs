@@ -30,7 +30,11 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         from: Address,
         state: CommunicationState,
     ) -> Result<(), AbortCode> {
-        for entry in entries(whole::<V>(from)?, from.subindex, u8::MAX) {
+        let object = whole::<V>(from)?;
+        if !V::COMPLETE_ACCESS {
+            return Err(AbortCode::UNSUPPORTED_ACCESS);
+        }
+        for entry in entries(object, from.subindex, u8::MAX) {
             if entry.subindex > 0 && entry.subindex > self.count(from.index)? {
                 break;
             }
@@ -50,6 +54,9 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         part: &mut Part<'_>,
     ) -> Result<(), AbortCode> {
         let object = whole::<V>(from)?;
+        if !V::COMPLETE_ACCESS {
+            return Err(AbortCode::UNSUPPORTED_ACCESS);
+        }
         let count = self.count(from.index)?;
         for entry in entries(object, from.subindex, count) {
             let end = part.total().saturating_add(width(entry));
@@ -74,6 +81,9 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         data: &[u8],
     ) -> Result<(), AbortCode> {
         let object = whole::<V>(from)?;
+        if !V::COMPLETE_ACCESS {
+            return Err(AbortCode::UNSUPPORTED_ACCESS);
+        }
         let count = self.count_after(object, from, state, data)?;
         let pieces = |first: u8, last: u8| {
             let entries = entries(object, from.subindex, count);
@@ -122,7 +132,8 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
     }
 }
 
-/// The object, if it can be transferred as a whole.
+/// The object, if it can be transferred as a whole. Those who call this ask once more whether the device does that at
+/// all: so the compiler leaves out what comes after, where it does not.
 fn whole<V: Values>(from: Address) -> Result<&'static ObjectInfo, AbortCode> {
     let object = V::TABLE.object(from.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
     if from.subindex > 1 {

@@ -41,6 +41,8 @@ pub struct Dictionary {
     pub directory: &'static [u8; 256],
     /// The pages, ascending by index.
     pub pages: &'static [Page],
+    /// The values that never change, as an SDO carries them. Objects name theirs by position.
+    pub constants: &'static [u8],
 }
 
 /// The objects whose indices share the high byte.
@@ -77,11 +79,6 @@ impl Found {
         }
         Some(Place { field: self.object.field, item: self.entry.item, axis: self.axis })
     }
-
-    /// Its value as an SDO carries it, if it never changes.
-    pub fn constant(self) -> Option<&'static [u8]> {
-        self.entry.is_constant().then(|| self.object.constant(self.entry))
-    }
 }
 
 impl Dictionary {
@@ -97,6 +94,11 @@ impl Dictionary {
         let (page, object) = self.page_and_object(address.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
         let entry = object.entry(address.subindex).ok_or(AbortCode::NO_SUCH_SUBINDEX)?;
         Ok(Found { object, entry, axis: page.axis.wrapping_add(object.axis) })
+    }
+
+    /// The value of an entry of this dictionary as an SDO carries it, if it never changes.
+    pub fn constant(&self, found: Found) -> Option<&'static [u8]> {
+        found.entry.is_constant().then(|| found.object.constant(found.entry, self.constants))
     }
 
     /// Every object with its index, ascending (ETG.1000.6, get object dictionary list).
@@ -120,7 +122,7 @@ impl Dictionary {
 
     #[inline]
     fn page_and_object(&self, index: u16) -> Option<(&'static Page, &'static ObjectInfo)> {
-        let [high, low] = index.to_be_bytes();
+        let [low, high] = index.to_le_bytes();
         let page = self.page(high)?;
         Some((page, page.object(low)?))
     }

@@ -1,5 +1,7 @@
 //! The part of a transfer that fits into a message.
 
+use crate::bytes::copy;
+
 /// Bytes that are put in one after another; of these it keeps as many as fit, from a position on.
 #[derive(Debug)]
 pub struct Part<'a> {
@@ -46,10 +48,8 @@ impl<'a> Part<'a> {
     pub(super) fn put(&mut self, bytes: &[u8]) {
         let before = self.skip.saturating_sub(self.total).min(bytes.len());
         self.total = self.total.saturating_add(bytes.len());
-        let room = self.buffer.iter_mut().skip(self.filled);
-        for (to, from) in room.zip(bytes.iter().skip(before)) {
-            *to = *from;
-            self.filled = self.filled.saturating_add(1);
-        }
+        let room = self.buffer.get_mut(self.filled..).unwrap_or_default();
+        let copied = copy(room, bytes.get(before..).unwrap_or_default());
+        self.filled = self.filled.saturating_add(copied);
     }
 }

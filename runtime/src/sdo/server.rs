@@ -107,7 +107,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         found: Found,
         scratch: &'s mut Scratch,
     ) -> Result<&'s [u8], AbortCode> {
-        let Some(place) = found.place() else { return Ok(found.constant().unwrap_or_default()) };
+        let Some(place) = found.place() else { return Ok(V::TABLE.constant(found).unwrap_or_default()) };
         let slot = self.values.slot(place).ok_or(AbortCode::DEVICE_INCOMPATIBLE)?;
         let bytes = slot.bytes(scratch);
         let bytes = bytes.get(..found.entry.bytes().into()).unwrap_or(bytes);

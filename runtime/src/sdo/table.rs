@@ -13,8 +13,8 @@ pub struct ObjectInfo {
     pub field: u16,
     /// Its entries, ascending by subindex.
     pub entries: &'static [EntryInfo],
-    /// The values of those of its entries that never change, one after another as an SDO carries them.
-    pub constants: &'static [u8],
+    /// Where the values of those of its entries that never change are in the dictionary's constants, one after another.
+    pub constants: u16,
 }
 
 /// The kinds of objects (CiA 301, object code).
@@ -111,12 +111,13 @@ impl ObjectInfo {
         self.entries.last().map_or(0, |entry| entry.subindex)
     }
 
-    /// The value of an entry that never changes.
-    pub(super) fn constant(&self, entry: &EntryInfo) -> &'static [u8] {
-        let constants = self.entries.iter().filter(|other| other.is_constant());
-        let before = constants.take_while(|other| other.subindex < entry.subindex);
-        let offset = before.fold(0_usize, |sum, other| sum.wrapping_add(other.bytes().into()));
-        let from = self.constants.get(offset..).unwrap_or_default();
+    /// The value of an entry that never changes, among the constants of the dictionary.
+    pub(super) fn constant(&self, entry: &EntryInfo, constants: &'static [u8]) -> &'static [u8] {
+        let others = self.entries.iter().filter(|other| other.is_constant());
+        let before = others.take_while(|other| other.subindex < entry.subindex);
+        let offset =
+            before.fold(usize::from(self.constants), |sum, other| sum.wrapping_add(other.bytes().into()));
+        let from = constants.get(offset..).unwrap_or_default();
         from.get(..usize::from(entry.bytes())).unwrap_or(from)
     }
 }

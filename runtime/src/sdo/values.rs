@@ -1,6 +1,7 @@
 //! Where the values of a dictionary are kept, and how they are read and written there.
 
 use super::{AbortCode, Dictionary, Range};
+use crate::bytes::copy;
 use crate::object::Value;
 
 /// The struct that has the values of a device's dictionary. Generated code implements it.
@@ -103,8 +104,8 @@ impl<'a> Slot<'a> {
             Self::F32(value) => *value = Value::from_slice(data)?,
             Self::F64(value) => *value = Value::from_slice(data)?,
             Self::Bytes(value) => {
-                let padded = data.iter().copied().chain(core::iter::repeat(0));
-                value.iter_mut().zip(padded).for_each(|(to, from)| *to = from);
+                let end = copy(value, data);
+                value.get_mut(end..).unwrap_or_default().fill(0);
             }
             Self::Text(_) => return Err(AbortCode::READ_ONLY),
         }
@@ -116,6 +117,6 @@ impl<'a> Slot<'a> {
 #[inline]
 fn number<T: Value>(value: T, scratch: &mut Scratch) -> &[u8] {
     let bytes = value.to_bytes();
-    scratch.iter_mut().zip(bytes.as_ref()).for_each(|(to, from)| *to = *from);
+    copy(scratch, bytes.as_ref());
     scratch.get(..T::SIZE).unwrap_or_default()
 }

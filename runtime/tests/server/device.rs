@@ -83,7 +83,7 @@ const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: A
 }
 
 const fn variable(field: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-    ObjectInfo { code: ObjectCode::Variable, axis: 0, field, entries, constants: b"model 1" }
+    ObjectInfo { code: ObjectCode::Variable, axis: 0, field, entries, constants: 3 }
 }
 
 const READ_WRITE: Access = Access::READ.and(Access::WRITE);
@@ -91,6 +91,7 @@ const BEFORE_SAFE: Access = Access::READ.and(Access::WRITE_PRE_OPERATIONAL);
 const CONSTANT: u8 = EntryInfo::CONSTANT;
 
 static TABLE: Dictionary = Dictionary {
+    constants: b"\x04\x34\x12model 1",
     directory: &{
         let mut pages = [NONE; 256];
         pages[0x20] = 0;
@@ -120,7 +121,7 @@ static TABLE: Dictionary = Dictionary {
                     entry(2, 2, DataType::UNSIGNED16, 16, BEFORE_SAFE),
                     entry(3, 3, DataType::UNSIGNED16, 16, BEFORE_SAFE),
                 ],
-                constants: &[],
+                constants: 0,
             },
             // a gap at 3, a constant in the middle
             ObjectInfo {
@@ -133,7 +134,7 @@ static TABLE: Dictionary = Dictionary {
                     entry(2, CONSTANT, DataType::UNSIGNED16, 16, Access::READ),
                     entry(4, 1, DataType::UNSIGNED16, 16, Access::WRITE),
                 ],
-                constants: &[4, 0x34, 0x12],
+                constants: 0,
             },
         ],
     }],

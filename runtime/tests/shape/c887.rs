@@ -412,7 +412,7 @@ const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: A
 }
 
 const fn variable(field: u16, entries: &'static [EntryInfo]) -> ObjectInfo {
-    ObjectInfo { code: ObjectCode::Variable, axis: 0, field, entries, constants: &[] }
+    ObjectInfo { code: ObjectCode::Variable, axis: 0, field, entries, constants: 0 }
 }
 
 const READ_WRITE: Access = Access::READ.and(Access::WRITE);
@@ -434,7 +434,7 @@ static AXIS_OBJECTS: [ObjectInfo; 7] = [
             entry(1, 0, DataType::INTEGER32, 32, READ_WRITE),
             entry(2, 1, DataType::INTEGER32, 32, READ_WRITE),
         ],
-        constants: &[2],
+        constants: 0,
     },
 ];
 
@@ -452,6 +452,7 @@ static AXIS_SLOTS: [u8; 62] = {
 
 /// Every object.
 pub static DICTIONARY: Dictionary = Dictionary {
+    constants: &[2],
     directory: &{
         let mut pages = [NONE; 256];
         pages[0x10] = 0;

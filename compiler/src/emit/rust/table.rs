@@ -39,8 +39,8 @@ impl<'a> Page<'a> {
     }
 
     /// The table of objects, which says nothing of the high byte: pages of axes that are alike have the same.
-    fn table(&self) -> TokenStream {
-        let objects = self.objects.iter().map(|row| row.tokens(self.axis()));
+    fn table(&self, constants: &mut Constants) -> TokenStream {
+        let objects = self.objects.iter().map(|row| row.tokens(self.axis(), constants));
         quote!([#(#objects),*])
     }
 
@@ -62,8 +62,9 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let pages = pages(&scope.device.objects, &homes);
     let mut shared: Vec<(String, Ident)> = Vec::new();
     let (mut tables, mut rows) = (TokenStream::new(), Vec::new());
+    let mut constants = Constants::default();
     for page in &pages {
-        let table = page.table();
+        let table = page.table(&mut constants);
         let slots = page.slots();
         let key = format!("{table}{slots}");
         let known = shared.iter().find(|(known, _)| *known == key).map(|(_, name)| name.clone());
@@ -77,7 +78,7 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
         rows.push(quote!(Page { axis: #axis, ..#name }));
     }
     let highs = pages.iter().map(|page| hex8(page.high));
-    let shorthands = shorthands();
+    let (shorthands, constants) = (shorthands(), constants.tokens());
     let information = scope.device.mailbox.as_ref().filter(|mailbox| mailbox.sdo_info);
     let names = information.map(|_| information::items(&pages));
     quote! {
@@ -85,9 +86,11 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
         pub static TABLE: sdo::Dictionary = sdo::Dictionary {
             directory: &DIRECTORY,
             pages: &[#(#rows),*],
+            constants: &CONSTANTS,
         };
 
         const DIRECTORY: [u8; 256] = positions(0, &[#(#highs),*]);
+        #constants
         #shorthands
         #tables
         #names
@@ -124,7 +127,7 @@ fn shorthands() -> TokenStream {
             axis: u8,
             field: u16,
             entries: &'static [EntryInfo],
-            constants: &'static [u8],
+            constants: u16,
         ) -> ObjectInfo {
             ObjectInfo { code, axis, field, entries, constants }
         }
@@ -132,7 +135,7 @@ fn shorthands() -> TokenStream {
         const fn constant(
             code: ObjectCode,
             entries: &'static [EntryInfo],
-            constants: &'static [u8],
+            constants: u16,
         ) -> ObjectInfo {
             object(code, 0, 0, entries, constants)
         }
@@ -153,15 +156,41 @@ fn shorthands() -> TokenStream {
     }
 }
 
+/// The values that never change, those of all objects in a row.
+#[derive(Default)]
+struct Constants {
+    bytes: Vec<u8>,
+    known: BTreeMap<Vec<u8>, usize>,
+}
+
+impl Constants {
+    /// Where the values of an object are; the same bytes serve for all objects that have them.
+    fn position(&mut self, values: Vec<u8>) -> usize {
+        if values.is_empty() {
+            return 0;
+        }
+        *self.known.entry(values).or_insert_with_key(|values| {
+            let end = self.bytes.len();
+            self.bytes.extend(values);
+            end
+        })
+    }
+
+    fn tokens(&self) -> TokenStream {
+        let (count, bytes) = (number(self.bytes.len()), self.bytes.iter().map(|byte| hex8(*byte)));
+        quote!(const CONSTANTS: [u8; #count] = [#(#bytes),*];)
+    }
+}
+
 impl Row<'_> {
     /// The object on a page whose objects count their axis from this one.
-    fn tokens(&self, axis: u8) -> TokenStream {
+    fn tokens(&self, axis: u8, constants: &mut Constants) -> TokenStream {
         let code = match self.object.kind {
             Kind::Var => quote!(ObjectCode::Variable),
             Kind::Array => quote!(ObjectCode::Array),
             Kind::Record => quote!(ObjectCode::Record),
         };
-        let constants = self.constants();
+        let constants = number(constants.position(self.constants()));
         let entries = match self.list() {
             Some(list) => quote!(&const { #list }),
             None => {
@@ -181,19 +210,9 @@ impl Row<'_> {
     }
 
     /// The values that cannot.
-    fn constants(&self) -> TokenStream {
+    fn constants(&self) -> Vec<u8> {
         let fixed = self.object.entries.iter().filter(|entry| self.item(entry).is_none());
-        let bytes: Vec<u8> = fixed.flat_map(bytes).collect();
-        match bytes.as_slice() {
-            [count] => {
-                let count = number(count);
-                quote!(&[#count])
-            }
-            bytes => {
-                let bytes = bytes.iter().map(|byte| hex8(*byte));
-                quote!(&[#(#bytes),*])
-            }
-        }
+        fixed.flat_map(bytes).collect()
     }
 
     /// The entries of an object that has a number of entries, which never changes, and after that entries all alike.
