@@ -85,7 +85,7 @@ impl Check {
         let runs: Vec<(&Diagnostics, &Sources)> =
             compilations.iter().map(|(_, c)| (&c.diagnostics, &c.sources)).collect();
         let text = match self.format {
-            Format::Text => return people(compilations, report),
+            Format::Text => return people(compilations, self.baseline.is_some(), report),
             Format::Json => render::json(&runs),
             Format::Sarif => render::sarif(&runs, &rules::all()),
             Format::Github => {
@@ -96,10 +96,11 @@ impl Check {
     }
 }
 
-fn people(compilations: &[(PathBuf, Compilation)], report: &Report) -> Result<(), Failure> {
+fn people(compilations: &[(PathBuf, Compilation)], only_new: bool, report: &Report) -> Result<(), Failure> {
+    let none = if only_new { "no new findings" } else { "no findings" };
     for (path, compilation) in compilations {
         report.diagnostics(compilation);
-        let counts = counts(&compilation.diagnostics).unwrap_or_else(|| "no findings".to_owned());
+        let counts = counts(&compilation.diagnostics).unwrap_or_else(|| none.to_owned());
         report.line(&format!("{}: {counts}", path.display()))?;
     }
     Ok(())

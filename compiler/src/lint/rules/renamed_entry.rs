@@ -40,8 +40,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let name = lookup::name(object, entry);
-        let message = format!("{} calls {name} `{}`", pdo.index, mapped.name);
-        let label = format!("`{}` in the dictionary", object.name);
+        let message =
+            format!("{} calls {name} `{}`, the dictionary `{}`", pdo.index, mapped.name, entry.name);
+        let label = "the name in the dictionary";
         let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "another name")
             .label(lookup::place(object, entry, "name"), label);
         report.push(at, diagnostic);

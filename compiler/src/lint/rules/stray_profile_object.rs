@@ -56,8 +56,8 @@ fn stray(device: &Device, object: &Object) -> Option<String> {
         _ if object.index.0 > 0x9FFF => None,
         1 if window == 0 => None,
         axes if window >= axes => {
-            let axes = if axes == 1 { "one".to_owned() } else { axes.to_string() };
-            Some(format!("{} lies in the range of axis {number}, but there is only {axes}", object.index))
+            let only = if axes == 1 { "is only one".to_owned() } else { format!("are only {axes}") };
+            Some(format!("{} lies in the range of axis {number}, but there {only}", object.index))
         }
         _ => Some(format!(
             "{} lies in the range of axis {number}, but `[axes] shifts` does not repeat it",

@@ -25,7 +25,7 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for text in texts::names(device).chain(texts::dictionary(device)) {
         let Some(odd) = text.text.chars().find(|c| banned(*c)) else { continue };
-        let message = format!("the name of {} has the character U+{:04X}", text.at, u32::from(odd));
+        let message = format!("{} has the character U+{:04X} in it", text.at, u32::from(odd));
         report.push(text.at, Diagnostic::new(&RULE, message, text.place, "XML cannot hold it"));
     }
 }

@@ -42,7 +42,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let high = 1_i128.checked_shl(field.width().into()).unwrap_or(i128::MAX);
             let outside = |value: &i64| !(0..high).contains(&i128::from(*value));
             let Some(value) = field.values.iter().map(|meaning| meaning.value).find(outside) else { continue };
-            let message = format!("`{}` is never {value}: it has {} bits", field.name, field.width());
+            let width = field.width();
+            let bits = if width == 1 { "one bit".to_owned() } else { format!("{width} bits") };
+            let message = format!("`{}` is never {value}: it has {bits}", field.name);
             let place = word.origin.value(&format!("{}.values", field.path));
             let diagnostic = Diagnostic::new(&RULE, message, place, format!("{value} is here"));
             report.push(format!("words.{}.{}", word.id, field.low), diagnostic);
