@@ -8,6 +8,7 @@ mod c887;
 mod dictionary;
 mod images;
 mod information;
+mod memory;
 mod pdos;
 mod rebuild;
 mod same;

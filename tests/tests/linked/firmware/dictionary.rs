@@ -19,7 +19,7 @@ impl Hooks<Dictionary> for Computed {
 
 pub fn run() {
     let (address, state) = black_box((Address::new(0x6041, 0), CommunicationState::Operational));
-    black_box(TABLE.find(address).map(|found| (found.place(), found.constant())).is_ok());
+    black_box(TABLE.find(address).map(|found| (found.place(), TABLE.constant(found))).is_ok());
     black_box(TABLE.objects().map(|(index, object)| index ^ u16::from(object.highest_subindex())).max());
     let (mut data, length) = black_box(([0; 64], 64));
     let Some(buffer) = data.get_mut(..length) else { return };
