@@ -46,7 +46,10 @@ use ::devc_runtime::cia402::{
 };
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
-use ::devc_runtime::pdo::{Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx};
+use ::devc_runtime::pdo::{
+    Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+};
+use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
 use ::devc_runtime::{Device, error};
 
 /// The C-887.53x.
@@ -93,7 +96,7 @@ impl Axis {
         first.wrapping_add(shift.wrapping_mul(self as u16))
     }
 
-    const fn entry<T: ?Sized, A>(self, first: u16, shift: u16, subindex: u8) -> Entry<C887, T, A> {
+    const fn entry<T: ?Sized, A, M>(self, first: u16, shift: u16, subindex: u8) -> Entry<C887, T, A, M> {
         Entry::new(self.index(first, shift), subindex)
     }
 }
@@ -110,7 +113,7 @@ pub mod objects {
     /// `0x1001:00` Error register. UINT8, ro, TxPDO, default 0 (p. 21 to 31).
     ///
     /// Which kinds of error the device has.
-    pub const ERROR_REGISTER: Entry<C887, ErrorRegister, ReadOnly> = Entry::new(0x1001, 0);
+    pub const ERROR_REGISTER: Entry<C887, ErrorRegister, ReadOnly, Tx> = Entry::new(0x1001, 0);
 
     /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT" (p. 21 to 31).
     ///
@@ -475,7 +478,7 @@ pub mod objects {
         /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
         ///
         /// Whether the device is out of step with the master.
-        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C32, 32);
+        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
     }
 
     /// `0x1C33` Configuration DC modus.
@@ -554,7 +557,7 @@ pub mod objects {
         /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
         ///
         /// Whether the device is out of step with the master; the same as for the outputs.
-        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C33, 32);
+        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
     }
 
     /// `0x5000` Work coordinate system.
@@ -826,7 +829,7 @@ pub mod objects {
     /// motion.
     ///
     /// It does nothing on Y, Z, U, V, W.
-    pub const fn error_code(axis: Axis) -> Entry<C887, ErrorCode, ReadOnly> {
+    pub const fn error_code(axis: Axis) -> Entry<C887, ErrorCode, ReadOnly, Tx> {
         axis.entry(0x603F, 0x800, 0)
     }
 
@@ -835,7 +838,7 @@ pub mod objects {
     /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
     ///
     /// Only the controlword of the first axis is taken, and it acts on all axes.
-    pub const fn controlword(axis: Axis) -> Entry<C887, Controlword, ReadWrite> {
+    pub const fn controlword(axis: Axis) -> Entry<C887, Controlword, ReadWrite, Rx> {
         axis.entry(0x6040, 0x800, 0)
     }
 
@@ -844,7 +847,7 @@ pub mod objects {
     /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
     ///
     /// The same on all axes.
-    pub const fn statusword(axis: Axis) -> Entry<C887, Statusword, ReadOnly> {
+    pub const fn statusword(axis: Axis) -> Entry<C887, Statusword, ReadOnly, Tx> {
         axis.entry(0x6041, 0x800, 0)
     }
 
@@ -855,7 +858,7 @@ pub mod objects {
     /// Set on the first axis for all axes, in the state Operation enabled.
     ///
     /// It does nothing on Y, Z, U, V, W.
-    pub const fn modes_of_operation(axis: Axis) -> Entry<C887, i8, ReadWrite> {
+    pub const fn modes_of_operation(axis: Axis) -> Entry<C887, i8, ReadWrite, Rx> {
         axis.entry(0x6060, 0x800, 0)
     }
 
@@ -864,14 +867,14 @@ pub mod objects {
     /// The mode of operation that is active.
     ///
     /// Changes once the action under way has finished; 0 after an error during the change.
-    pub const fn modes_of_operation_display(axis: Axis) -> Entry<C887, i8, ReadOnly> {
+    pub const fn modes_of_operation_display(axis: Axis) -> Entry<C887, i8, ReadOnly, Tx> {
         axis.entry(0x6061, 0x800, 0)
     }
 
     /// `0x6064:00` Position actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
     ///
     /// The measured position, in position units.
-    pub const fn position_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly> {
+    pub const fn position_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx> {
         axis.entry(0x6064, 0x800, 0)
     }
 
@@ -879,7 +882,7 @@ pub mod objects {
     ///
     /// The position to move to: the end of a move in profile position mode, the next point of the path in
     /// cyclic synchronous position mode.
-    pub const fn target_position(axis: Axis) -> Entry<C887, i32, ReadWrite> {
+    pub const fn target_position(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
         axis.entry(0x607A, 0x800, 0)
     }
 
@@ -897,12 +900,12 @@ pub mod objects {
         }
 
         /// `0x607D:01` Min position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        pub const fn min_position_limit(axis: Axis) -> Entry<C887, i32, ReadWrite> {
+        pub const fn min_position_limit(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
             axis.entry(0x607D, 0x800, 1)
         }
 
         /// `0x607D:02` Max position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        pub const fn max_position_limit(axis: Axis) -> Entry<C887, i32, ReadWrite> {
+        pub const fn max_position_limit(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
             axis.entry(0x607D, 0x800, 2)
         }
     }
@@ -924,12 +927,12 @@ pub mod objects {
         }
 
         /// `0x6093:01` Numerator. INT32, rw, RxPDO, default 1.
-        pub const fn numerator(axis: Axis) -> Entry<C887, i32, ReadWrite> {
+        pub const fn numerator(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
             axis.entry(0x6093, 0x800, 1)
         }
 
         /// `0x6093:02` Denominator. INT32, rw, RxPDO, default 100000.
-        pub const fn denominator(axis: Axis) -> Entry<C887, i32, ReadWrite> {
+        pub const fn denominator(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
             axis.entry(0x6093, 0x800, 2)
         }
     }
@@ -939,14 +942,14 @@ pub mod objects {
     /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
     ///
     /// It does nothing on Y, Z, U, V, W.
-    pub const fn homing_method(axis: Axis) -> Entry<C887, i8, ReadWrite> {
+    pub const fn homing_method(axis: Axis) -> Entry<C887, i8, ReadWrite, Rx> {
         axis.entry(0x6098, 0x800, 0)
     }
 
     /// `0x60B0:00` Position offset. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
     ///
     /// Added to the target position in cyclic synchronous position mode.
-    pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite> {
+    pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
         axis.entry(0x60B0, 0x800, 0)
     }
 
@@ -969,14 +972,14 @@ pub mod objects {
         /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS, default 1.
         ///
         /// It does nothing on Y, Z, U, V, W.
-        pub const fn interpolation_time_period_value(axis: Axis) -> Entry<C887, u8, ReadWrite> {
+        pub const fn interpolation_time_period_value(axis: Axis) -> Entry<C887, u8, ReadWrite, Rx> {
             axis.entry(0x60C2, 0x800, 1)
         }
 
         /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS, default - 3.
         ///
         /// It does nothing on Y, Z, U, V, W.
-        pub const fn interpolation_time_index(axis: Axis) -> Entry<C887, i8, ReadWrite> {
+        pub const fn interpolation_time_index(axis: Axis) -> Entry<C887, i8, ReadWrite, Rx> {
             axis.entry(0x60C2, 0x800, 2)
         }
     }
@@ -987,7 +990,7 @@ pub mod objects {
     /// The demanded position less the actual one, in position units.
     ///
     /// Calculated by the controller.
-    pub const fn following_error_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly> {
+    pub const fn following_error_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx> {
         axis.entry(0x60F4, 0x800, 0)
     }
 
@@ -997,7 +1000,7 @@ pub mod objects {
     /// half.
     ///
     /// It does nothing on Y, Z, U, V, W.
-    pub const fn digital_inputs(axis: Axis) -> Entry<C887, i32, ReadOnly> {
+    pub const fn digital_inputs(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx> {
         axis.entry(0x60FD, 0x800, 0)
     }
 
@@ -1005,7 +1008,7 @@ pub mod objects {
     ///
     /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
     /// units.
-    pub const fn target_velocity(axis: Axis) -> Entry<C887, i32, ReadWrite> {
+    pub const fn target_velocity(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
         axis.entry(0x60FF, 0x800, 0)
     }
 
@@ -1999,6 +2002,54 @@ impl Carries<Tx> for C887 {
             [0x1A50, 0x1A51],
         ],
     };
+}
+
+impl BringUp for C887 {
+    const MAPS: bool = false;
+
+    const AXES: &'static [AxisObjects] = &[
+        AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
+        AxisObjects { mode: None, cycle: None },
+        AxisObjects { mode: None, cycle: None },
+        AxisObjects { mode: None, cycle: None },
+        AxisObjects { mode: None, cycle: None },
+        AxisObjects { mode: None, cycle: None },
+    ];
+}
+
+/// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+pub mod configurations {
+    use super::*;
+
+    /// CSP and homing on all axes.
+    ///
+    /// As delivered, so a master need not write it; one that does may change the assignment in
+    /// Pre-Operational only. The mode is not part of it: 0x6060 of the first axis travels with the process
+    /// data, as a mode is selected in the state Operation enabled.
+    ///
+    /// Cycle time: 1 ms.
+    ///
+    /// Source: p. 4, p. 11, p. 21 to 24, p. 26.
+    pub const CSP: [Write; 18] = [
+        Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
+        Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),
+        Write::new(Address::new(0x1C12, 1), &[0x00, 0x16], "assign 0x1600"),
+        Write::new(Address::new(0x1C12, 2), &[0x10, 0x16], "assign 0x1610"),
+        Write::new(Address::new(0x1C12, 3), &[0x20, 0x16], "assign 0x1620"),
+        Write::new(Address::new(0x1C12, 4), &[0x30, 0x16], "assign 0x1630"),
+        Write::new(Address::new(0x1C12, 5), &[0x40, 0x16], "assign 0x1640"),
+        Write::new(Address::new(0x1C12, 6), &[0x50, 0x16], "assign 0x1650"),
+        Write::new(Address::new(0x1C12, 0), &[0x06], "number of PDOs in 0x1C12"),
+        Write::new(Address::new(0x1C13, 1), &[0x00, 0x1A], "assign 0x1A00"),
+        Write::new(Address::new(0x1C13, 2), &[0x10, 0x1A], "assign 0x1A10"),
+        Write::new(Address::new(0x1C13, 3), &[0x20, 0x1A], "assign 0x1A20"),
+        Write::new(Address::new(0x1C13, 4), &[0x30, 0x1A], "assign 0x1A30"),
+        Write::new(Address::new(0x1C13, 5), &[0x40, 0x1A], "assign 0x1A40"),
+        Write::new(Address::new(0x1C13, 6), &[0x50, 0x1A], "assign 0x1A50"),
+        Write::new(Address::new(0x1C13, 0), &[0x06], "number of PDOs in 0x1C13"),
+        Write::new(Address::new(0x60C2, 1), &[0x01], "interpolation time period"),
+        Write::new(Address::new(0x60C2, 2), &[0xFD], "its power of ten in seconds"),
+    ];
 }
 
 /// How the statusword shows the states, bit 7 first.

@@ -39,8 +39,9 @@ pub mod double {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402.
@@ -79,7 +80,12 @@ pub mod double {
             first.wrapping_add(shift.wrapping_mul(self as u16))
         }
 
-        const fn entry<T: ?Sized, A>(self, first: u16, shift: u16, subindex: u8) -> Entry<Double, T, A> {
+        const fn entry<T: ?Sized, A, M>(
+            self,
+            first: u16,
+            shift: u16,
+            subindex: u8,
+        ) -> Entry<Double, T, A, M> {
             Entry::new(self.index(first, shift), subindex)
         }
     }
@@ -383,7 +389,7 @@ pub mod double {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<Double, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<Double, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -462,60 +468,60 @@ pub mod double {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<Double, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<Double, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
-        pub const fn status_word_user_defined(axis: Axis) -> Entry<Double, u16, ReadOnly> {
+        pub const fn status_word_user_defined(axis: Axis) -> Entry<Double, u16, ReadOnly, Tx> {
             axis.entry(0x2043, 0x8000, 0)
         }
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
-        pub const fn status_word_2(axis: Axis) -> Entry<Double, u16, ReadOnly> {
+        pub const fn status_word_2(axis: Axis) -> Entry<Double, u16, ReadOnly, Tx> {
             axis.entry(0x28C9, 0x8000, 0)
         }
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The code of the last error that occurred in the drive.
-        pub const fn error_code(axis: Axis) -> Entry<Double, u16, ReadOnly> {
+        pub const fn error_code(axis: Axis) -> Entry<Double, u16, ReadOnly, Tx> {
             axis.entry(0x603F, 0x800, 0)
         }
 
         /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
-        pub const fn controlword(axis: Axis) -> Entry<Double, Controlword, ReadWrite> {
+        pub const fn controlword(axis: Axis) -> Entry<Double, Controlword, ReadWrite, RxTx> {
             axis.entry(0x6040, 0x800, 0)
         }
 
         /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
-        pub const fn statusword(axis: Axis) -> Entry<Double, Statusword, ReadOnly> {
+        pub const fn statusword(axis: Axis) -> Entry<Double, Statusword, ReadOnly, Tx> {
             axis.entry(0x6041, 0x800, 0)
         }
 
         /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity wanted in velocity mode, before limits and ramps.
-        pub const fn vl_target_velocity(axis: Axis) -> Entry<Double, i16, ReadWrite> {
+        pub const fn vl_target_velocity(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
             axis.entry(0x6042, 0x800, 0)
         }
 
         /// `0x6043:00` Vl velocity demand. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity that the ramps of velocity mode have arrived at; what the controller is given.
-        pub const fn vl_velocity_demand(axis: Axis) -> Entry<Double, i16, ReadOnly> {
+        pub const fn vl_velocity_demand(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
             axis.entry(0x6043, 0x800, 0)
         }
 
         /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
-        pub const fn vl_velocity_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly> {
+        pub const fn vl_velocity_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
             axis.entry(0x6044, 0x800, 0)
         }
 
@@ -533,12 +539,12 @@ pub mod double {
             }
 
             /// `0x6046:01` Vl velocity min amount. UINT32, rw, RxPDO and TxPDO.
-            pub const fn vl_velocity_min_amount(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn vl_velocity_min_amount(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6046, 0x800, 1)
             }
 
             /// `0x6046:02` Vl velocity max amount. UINT32, rw, RxPDO and TxPDO.
-            pub const fn vl_velocity_max_amount(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn vl_velocity_max_amount(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6046, 0x800, 2)
             }
         }
@@ -557,12 +563,12 @@ pub mod double {
             }
 
             /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 1)
             }
 
             /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite> {
+            pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 2)
             }
         }
@@ -581,12 +587,12 @@ pub mod double {
             }
 
             /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 1)
             }
 
             /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite> {
+            pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 2)
             }
         }
@@ -605,12 +611,12 @@ pub mod double {
             }
 
             /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 1)
             }
 
             /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite> {
+            pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 2)
             }
         }
@@ -629,12 +635,12 @@ pub mod double {
             }
 
             /// `0x604B:01` Vl set-point factor numerator. INT16, rw, RxPDO and TxPDO.
-            pub const fn vl_set_point_factor_numerator(axis: Axis) -> Entry<Double, i16, ReadWrite> {
+            pub const fn vl_set_point_factor_numerator(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
                 axis.entry(0x604B, 0x800, 1)
             }
 
             /// `0x604B:02` Vl set-point factor denominator. INT16, rw, RxPDO and TxPDO.
-            pub const fn vl_set_point_factor_denominator(axis: Axis) -> Entry<Double, i16, ReadWrite> {
+            pub const fn vl_set_point_factor_denominator(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
                 axis.entry(0x604B, 0x800, 2)
             }
         }
@@ -653,12 +659,12 @@ pub mod double {
             }
 
             /// `0x604C:01` Vl dimension factor numerator. INT32, rw, RxPDO and TxPDO.
-            pub const fn vl_dimension_factor_numerator(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+            pub const fn vl_dimension_factor_numerator(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
                 axis.entry(0x604C, 0x800, 1)
             }
 
             /// `0x604C:02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
-            pub const fn vl_dimension_factor_denominator(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+            pub const fn vl_dimension_factor_denominator(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
                 axis.entry(0x604C, 0x800, 2)
             }
         }
@@ -666,7 +672,7 @@ pub mod double {
         /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const fn quick_stop_option_code(axis: Axis) -> Entry<Double, QuickStopOptionCode, ReadWrite> {
+        pub const fn quick_stop_option_code(axis: Axis) -> Entry<Double, QuickStopOptionCode, ReadWrite, Rx> {
             axis.entry(0x605A, 0x800, 0)
         }
 
@@ -675,21 +681,21 @@ pub mod double {
         /// What the drive does when a fault is found.
         pub const fn fault_reaction_option_code(
             axis: Axis,
-        ) -> Entry<Double, FaultReactionOptionCode, ReadWrite> {
+        ) -> Entry<Double, FaultReactionOptionCode, ReadWrite, Rx> {
             axis.entry(0x605E, 0x800, 0)
         }
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
         ///
         /// The mode of operation that is asked for; 0x6061 tells when it is active.
-        pub const fn modes_of_operation(axis: Axis) -> Entry<Double, i8, ReadWrite> {
+        pub const fn modes_of_operation(axis: Axis) -> Entry<Double, i8, ReadWrite, RxTx> {
             axis.entry(0x6060, 0x800, 0)
         }
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The mode of operation that is active.
-        pub const fn modes_of_operation_display(axis: Axis) -> Entry<Double, i8, ReadOnly> {
+        pub const fn modes_of_operation_display(axis: Axis) -> Entry<Double, i8, ReadOnly, Tx> {
             axis.entry(0x6061, 0x800, 0)
         }
 
@@ -697,7 +703,7 @@ pub mod double {
         /// Tab. 35).
         ///
         /// The measured position, in position units.
-        pub const fn position_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+        pub const fn position_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x6064, 0x800, 0)
         }
 
@@ -706,7 +712,7 @@ pub mod double {
         ///
         /// How far the actual position may be from the demanded one, to either side, before a following error
         /// is counted; the largest value switches the supervision off.
-        pub const fn following_error_window(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn following_error_window(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6065, 0x800, 0)
         }
 
@@ -714,7 +720,7 @@ pub mod double {
         ///
         /// How many milliseconds the position may be outside its following error window before a following
         /// error is reported.
-        pub const fn following_error_time_out(axis: Axis) -> Entry<Double, u16, ReadWrite> {
+        pub const fn following_error_time_out(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
             axis.entry(0x6066, 0x800, 0)
         }
 
@@ -722,21 +728,21 @@ pub mod double {
         /// 35).
         ///
         /// The measured velocity, in velocity units.
-        pub const fn velocity_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+        pub const fn velocity_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x606C, 0x800, 0)
         }
 
         /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
-        pub const fn target_torque(axis: Axis) -> Entry<Double, i16, ReadWrite> {
+        pub const fn target_torque(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
             axis.entry(0x6071, 0x800, 0)
         }
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The largest torque allowed in the motor, in thousandths of the rated torque.
-        pub const fn max_torque(axis: Axis) -> Entry<Double, u16, ReadWrite> {
+        pub const fn max_torque(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
             axis.entry(0x6072, 0x800, 0)
         }
 
@@ -744,28 +750,28 @@ pub mod double {
         ///
         /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
         /// to it.
-        pub const fn motor_rated_torque(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn motor_rated_torque(axis: Axis) -> Entry<Double, u32, ReadWrite, Tx> {
             axis.entry(0x6076, 0x800, 0)
         }
 
         /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
-        pub const fn torque_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly> {
+        pub const fn torque_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
             axis.entry(0x6077, 0x800, 0)
         }
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The current of the motor at this moment, in thousandths of the rated current.
-        pub const fn current_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly> {
+        pub const fn current_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
             axis.entry(0x6078, 0x800, 0)
         }
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The voltage of the DC link, in millivolts.
-        pub const fn dc_link_circuit_voltage(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+        pub const fn dc_link_circuit_voltage(axis: Axis) -> Entry<Double, u32, ReadOnly, Tx> {
             axis.entry(0x6079, 0x800, 0)
         }
 
@@ -774,7 +780,7 @@ pub mod double {
         ///
         /// The position to move to: the end of a move in profile position mode, the next point of the path in
         /// cyclic synchronous position mode.
-        pub const fn target_position(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+        pub const fn target_position(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
             axis.entry(0x607A, 0x800, 0)
         }
 
@@ -795,7 +801,7 @@ pub mod double {
             /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// There for compatibility only, it does nothing.
-            pub const fn min_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+            pub const fn min_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
                 axis.entry(0x607B, 0x800, 1)
             }
 
@@ -803,7 +809,7 @@ pub mod double {
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
-            pub const fn max_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+            pub const fn max_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
                 axis.entry(0x607B, 0x800, 2)
             }
         }
@@ -812,7 +818,7 @@ pub mod double {
         /// Tab. 35).
         ///
         /// The distance from the home position found by homing to the zero of the position values.
-        pub const fn home_offset(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+        pub const fn home_offset(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
             axis.entry(0x607C, 0x800, 0)
         }
 
@@ -833,12 +839,12 @@ pub mod double {
             }
 
             /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn min_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+            pub const fn min_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
                 axis.entry(0x607D, 0x800, 1)
             }
 
             /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn max_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+            pub const fn max_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
                 axis.entry(0x607D, 0x800, 2)
             }
         }
@@ -848,7 +854,7 @@ pub mod double {
         /// Which set values and actual values are multiplied by -1.
         ///
         /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
-        pub const fn polarity(axis: Axis) -> Entry<Double, Polarity, ReadWrite> {
+        pub const fn polarity(axis: Axis) -> Entry<Double, Polarity, ReadWrite, Rx> {
             axis.entry(0x607E, 0x800, 0)
         }
 
@@ -856,7 +862,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// The greatest velocity allowed during a profiled move, in either direction.
-        pub const fn max_profile_velocity(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn max_profile_velocity(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x607F, 0x800, 0)
         }
 
@@ -864,7 +870,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// The velocity that a move has once it is no longer accelerating, in either direction.
-        pub const fn profile_velocity(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn profile_velocity(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6081, 0x800, 0)
         }
 
@@ -872,7 +878,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// How a move gets faster.
-        pub const fn profile_acceleration(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn profile_acceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6083, 0x800, 0)
         }
 
@@ -880,7 +886,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// How a move gets slower; if it is not there, the acceleration holds for both.
-        pub const fn profile_deceleration(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn profile_deceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6084, 0x800, 0)
         }
 
@@ -888,14 +894,14 @@ pub mod double {
         /// 34; 7.2.2, Tab. 35).
         ///
         /// How the drive gets slower on the quick stop ramp.
-        pub const fn quick_stop_deceleration(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn quick_stop_deceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6085, 0x800, 0)
         }
 
         /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How fast the torque may change, in thousandths of the rated torque per second.
-        pub const fn torque_slope(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn torque_slope(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6087, 0x800, 0)
         }
 
@@ -915,12 +921,12 @@ pub mod double {
             }
 
             /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const fn motor_revolutions(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn motor_revolutions(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6091, 0x800, 1)
             }
 
             /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const fn shaft_revolutions(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn shaft_revolutions(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6091, 0x800, 2)
             }
         }
@@ -942,12 +948,12 @@ pub mod double {
             }
 
             /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO, default 0x00100000.
-            pub const fn feed(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn feed(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6092, 0x800, 1)
             }
 
             /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
-            pub const fn shaft_revolutions(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn shaft_revolutions(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6092, 0x800, 2)
             }
         }
@@ -973,12 +979,12 @@ pub mod double {
             }
 
             /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            pub const fn speed_during_search_for_switch(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn speed_during_search_for_switch(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6099, 0x800, 1)
             }
 
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            pub const fn speed_during_search_for_zero(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn speed_during_search_for_zero(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6099, 0x800, 2)
             }
         }
@@ -987,7 +993,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// How the drive gets faster and slower while it looks for the home position.
-        pub const fn homing_acceleration(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn homing_acceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x609A, 0x800, 0)
         }
 
@@ -1012,7 +1018,7 @@ pub mod double {
             }
 
             /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub const fn profile_jerk_1(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+            pub const fn profile_jerk_1(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x60A4, 0x800, 1)
             }
         }
@@ -1022,7 +1028,7 @@ pub mod double {
         ///
         /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
         /// cyclic synchronous position mode.
-        pub const fn velocity_offset(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+        pub const fn velocity_offset(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
             axis.entry(0x60B1, 0x800, 0)
         }
 
@@ -1030,21 +1036,21 @@ pub mod double {
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
-        pub const fn torque_offset(axis: Axis) -> Entry<Double, i16, ReadWrite> {
+        pub const fn torque_offset(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
             axis.entry(0x60B2, 0x800, 0)
         }
 
         /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Switches the touch probes on and says which edges of which signal they look for.
-        pub const fn touch_probe_function(axis: Axis) -> Entry<Double, TouchProbeFunction, ReadWrite> {
+        pub const fn touch_probe_function(axis: Axis) -> Entry<Double, TouchProbeFunction, ReadWrite, RxTx> {
             axis.entry(0x60B8, 0x800, 0)
         }
 
         /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Which touch probes are on, and which edges they have seen.
-        pub const fn touch_probe_status(axis: Axis) -> Entry<Double, TouchProbeStatus, ReadOnly> {
+        pub const fn touch_probe_status(axis: Axis) -> Entry<Double, TouchProbeStatus, ReadOnly, Tx> {
             axis.entry(0x60B9, 0x800, 0)
         }
 
@@ -1052,7 +1058,7 @@ pub mod double {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 1 has seen.
-        pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+        pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x60BA, 0x800, 0)
         }
 
@@ -1060,7 +1066,7 @@ pub mod double {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 1 has seen.
-        pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+        pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x60BB, 0x800, 0)
         }
 
@@ -1068,7 +1074,7 @@ pub mod double {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 2 has seen.
-        pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+        pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x60BC, 0x800, 0)
         }
 
@@ -1076,7 +1082,7 @@ pub mod double {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 2 has seen.
-        pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+        pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x60BD, 0x800, 0)
         }
 
@@ -1085,7 +1091,7 @@ pub mod double {
         /// The way of interpolating; negative values are the manufacturer's.
         pub const fn interpolation_sub_mode_select(
             axis: Axis,
-        ) -> Entry<Double, InterpolationSubModeSelect, ReadWrite> {
+        ) -> Entry<Double, InterpolationSubModeSelect, ReadWrite, Rx> {
             axis.entry(0x60C0, 0x800, 0)
         }
 
@@ -1106,7 +1112,7 @@ pub mod double {
             }
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn _1st_set_point(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+            pub const fn _1st_set_point(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
                 axis.entry(0x60C1, 0x800, 1)
             }
         }
@@ -1128,12 +1134,12 @@ pub mod double {
             }
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO.
-            pub const fn interpolation_time_period_value(axis: Axis) -> Entry<Double, u8, ReadWrite> {
+            pub const fn interpolation_time_period_value(axis: Axis) -> Entry<Double, u8, ReadWrite, Rx> {
                 axis.entry(0x60C2, 0x800, 1)
             }
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO.
-            pub const fn interpolation_time_index(axis: Axis) -> Entry<Double, i8, ReadWrite> {
+            pub const fn interpolation_time_index(axis: Axis) -> Entry<Double, i8, ReadWrite, Rx> {
                 axis.entry(0x60C2, 0x800, 2)
             }
         }
@@ -1206,7 +1212,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// The greatest acceleration allowed, whatever is asked for.
-        pub const fn max_acceleration(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn max_acceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x60C5, 0x800, 0)
         }
 
@@ -1214,7 +1220,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// The greatest deceleration allowed, whatever is asked for.
-        pub const fn max_deceleration(axis: Axis) -> Entry<Double, u32, ReadWrite> {
+        pub const fn max_deceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x60C6, 0x800, 0)
         }
 
@@ -1370,7 +1376,9 @@ pub mod double {
             }
 
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
-            pub const fn _1st_additional_position_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+            pub const fn _1st_additional_position_actual_value(
+                axis: Axis,
+            ) -> Entry<Double, i32, ReadOnly, Tx> {
                 axis.entry(0x60E4, 0x800, 1)
             }
         }
@@ -1379,7 +1387,9 @@ pub mod double {
         ///
         /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
         /// turns.
-        pub const fn positioning_option_code(axis: Axis) -> Entry<Double, PositioningOptionCode, ReadWrite> {
+        pub const fn positioning_option_code(
+            axis: Axis,
+        ) -> Entry<Double, PositioningOptionCode, ReadWrite, Rx> {
             axis.entry(0x60F2, 0x800, 0)
         }
 
@@ -1387,7 +1397,7 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
-        pub const fn following_error_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly> {
+        pub const fn following_error_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x60F4, 0x800, 0)
         }
 
@@ -1395,7 +1405,7 @@ pub mod double {
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
-        pub const fn digital_inputs(axis: Axis) -> Entry<Double, DigitalInputs, ReadOnly> {
+        pub const fn digital_inputs(axis: Axis) -> Entry<Double, DigitalInputs, ReadOnly, Tx> {
             axis.entry(0x60FD, 0x800, 0)
         }
 
@@ -1415,7 +1425,7 @@ pub mod double {
             }
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
-            pub const fn physical_outputs(axis: Axis) -> Entry<Double, PhysicalOutputs, ReadWrite> {
+            pub const fn physical_outputs(axis: Axis) -> Entry<Double, PhysicalOutputs, ReadWrite, Rx> {
                 axis.entry(0x60FE, 0x800, 1)
             }
         }
@@ -1425,7 +1435,7 @@ pub mod double {
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
-        pub const fn target_velocity(axis: Axis) -> Entry<Double, i32, ReadWrite> {
+        pub const fn target_velocity(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
             axis.entry(0x60FF, 0x800, 0)
         }
 
@@ -2948,6 +2958,36 @@ pub mod double {
         ];
     }
 
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeRxPdo1600 {}
+
+    impl FreePdo for FreeRxPdo1600 {
+        type Device = Double;
+        type Direction = Rx;
+
+        const INDICES: &'static [u16] = &[0x1600, 0x1601];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeTxPdo1A00 {}
+
+    impl FreePdo for FreeTxPdo1A00 {
+        type Device = Double;
+        type Direction = Tx;
+
+        const INDICES: &'static [u16] = &[0x1A00, 0x1A01];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -3102,6 +3142,52 @@ pub mod double {
             mandatory: &[],
             exclusive: &[],
         };
+    }
+
+    impl BringUp for Double {
+        const MAPS: bool = false;
+
+        const AXES: &'static [AxisObjects] = &[
+            AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
+            AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
+        ];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Standard mapping.
+        ///
+        /// As delivered; 8 is the default of A541. The modes -1, 1, 3, 4, 6, 9 and 10 work with it, too.
+        ///
+        /// Source: 5.2.12, 7.1.
+        pub const STANDARD: [Write; 2] = [
+            Write::new(Address::new(0x6060, 0), &[0x08], "mode of operation"),
+            Write::new(Address::new(0x6860, 0), &[0x08], "mode of operation"),
+        ];
+
+        /// Interpolated position mode.
+        ///
+        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
+        pub const INTERPOLATED_POSITION: [Write; 2] = [
+            Write::new(Address::new(0x6060, 0), &[0x07], "mode of operation"),
+            Write::new(Address::new(0x6860, 0), &[0x07], "mode of operation"),
+        ];
+
+        /// Velocity mode.
+        ///
+        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        pub const VELOCITY: [Write; 2] = [
+            Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
+            Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
+        ];
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -5579,8 +5665,9 @@ pub mod single {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402.
@@ -5851,7 +5938,7 @@ pub mod single {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<Single, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<Single, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -5930,46 +6017,46 @@ pub mod single {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<Single, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<Single, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
-        pub const STATUS_WORD_USER_DEFINED: Entry<Single, u16, ReadOnly> = Entry::new(0x2043, 0);
+        pub const STATUS_WORD_USER_DEFINED: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x2043, 0);
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
-        pub const STATUS_WORD_2: Entry<Single, u16, ReadOnly> = Entry::new(0x28C9, 0);
+        pub const STATUS_WORD_2: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x28C9, 0);
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The code of the last error that occurred in the drive.
-        pub const ERROR_CODE: Entry<Single, u16, ReadOnly> = Entry::new(0x603F, 0);
+        pub const ERROR_CODE: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x603F, 0);
 
         /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
-        pub const CONTROLWORD: Entry<Single, Controlword, ReadWrite> = Entry::new(0x6040, 0);
+        pub const CONTROLWORD: Entry<Single, Controlword, ReadWrite, RxTx> = Entry::new(0x6040, 0);
 
         /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
-        pub const STATUSWORD: Entry<Single, Statusword, ReadOnly> = Entry::new(0x6041, 0);
+        pub const STATUSWORD: Entry<Single, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
         /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity wanted in velocity mode, before limits and ramps.
-        pub const VL_TARGET_VELOCITY: Entry<Single, i16, ReadWrite> = Entry::new(0x6042, 0);
+        pub const VL_TARGET_VELOCITY: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x6042, 0);
 
         /// `0x6043:00` Vl velocity demand. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity that the ramps of velocity mode have arrived at; what the controller is given.
-        pub const VL_VELOCITY_DEMAND: Entry<Single, i16, ReadOnly> = Entry::new(0x6043, 0);
+        pub const VL_VELOCITY_DEMAND: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6043, 0);
 
         /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
-        pub const VL_VELOCITY_ACTUAL_VALUE: Entry<Single, i16, ReadOnly> = Entry::new(0x6044, 0);
+        pub const VL_VELOCITY_ACTUAL_VALUE: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6044, 0);
 
         /// `0x6046` Vl velocity min max amount.
         ///
@@ -5983,10 +6070,10 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6046, 0);
 
             /// `0x6046:01` Vl velocity min amount. UINT32, rw, RxPDO and TxPDO.
-            pub const VL_VELOCITY_MIN_AMOUNT: Entry<Single, u32, ReadWrite> = Entry::new(0x6046, 1);
+            pub const VL_VELOCITY_MIN_AMOUNT: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6046, 1);
 
             /// `0x6046:02` Vl velocity max amount. UINT32, rw, RxPDO and TxPDO.
-            pub const VL_VELOCITY_MAX_AMOUNT: Entry<Single, u32, ReadWrite> = Entry::new(0x6046, 2);
+            pub const VL_VELOCITY_MAX_AMOUNT: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6046, 2);
         }
 
         /// `0x6048` Vl velocity acceleration.
@@ -6001,10 +6088,10 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6048, 0);
 
             /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const DELTA_SPEED: Entry<Single, u32, ReadWrite> = Entry::new(0x6048, 1);
+            pub const DELTA_SPEED: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6048, 1);
 
             /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const DELTA_TIME: Entry<Single, u16, ReadWrite> = Entry::new(0x6048, 2);
+            pub const DELTA_TIME: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6048, 2);
         }
 
         /// `0x6049` Vl velocity deceleration.
@@ -6019,10 +6106,10 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6049, 0);
 
             /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const DELTA_SPEED: Entry<Single, u32, ReadWrite> = Entry::new(0x6049, 1);
+            pub const DELTA_SPEED: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6049, 1);
 
             /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const DELTA_TIME: Entry<Single, u16, ReadWrite> = Entry::new(0x6049, 2);
+            pub const DELTA_TIME: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6049, 2);
         }
 
         /// `0x604A` Vl velocity quick stop.
@@ -6037,10 +6124,10 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x604A, 0);
 
             /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const DELTA_SPEED: Entry<Single, u32, ReadWrite> = Entry::new(0x604A, 1);
+            pub const DELTA_SPEED: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x604A, 1);
 
             /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const DELTA_TIME: Entry<Single, u16, ReadWrite> = Entry::new(0x604A, 2);
+            pub const DELTA_TIME: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x604A, 2);
         }
 
         /// `0x604B` Vl set-point factor.
@@ -6055,10 +6142,12 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x604B, 0);
 
             /// `0x604B:01` Vl set-point factor numerator. INT16, rw, RxPDO and TxPDO.
-            pub const VL_SET_POINT_FACTOR_NUMERATOR: Entry<Single, i16, ReadWrite> = Entry::new(0x604B, 1);
+            pub const VL_SET_POINT_FACTOR_NUMERATOR: Entry<Single, i16, ReadWrite, RxTx> =
+                Entry::new(0x604B, 1);
 
             /// `0x604B:02` Vl set-point factor denominator. INT16, rw, RxPDO and TxPDO.
-            pub const VL_SET_POINT_FACTOR_DENOMINATOR: Entry<Single, i16, ReadWrite> = Entry::new(0x604B, 2);
+            pub const VL_SET_POINT_FACTOR_DENOMINATOR: Entry<Single, i16, ReadWrite, RxTx> =
+                Entry::new(0x604B, 2);
         }
 
         /// `0x604C` Vl dimension factor.
@@ -6073,96 +6162,98 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x604C, 0);
 
             /// `0x604C:01` Vl dimension factor numerator. INT32, rw, RxPDO and TxPDO.
-            pub const VL_DIMENSION_FACTOR_NUMERATOR: Entry<Single, i32, ReadWrite> = Entry::new(0x604C, 1);
+            pub const VL_DIMENSION_FACTOR_NUMERATOR: Entry<Single, i32, ReadWrite, RxTx> =
+                Entry::new(0x604C, 1);
 
             /// `0x604C:02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
-            pub const VL_DIMENSION_FACTOR_DENOMINATOR: Entry<Single, i32, ReadWrite> = Entry::new(0x604C, 2);
+            pub const VL_DIMENSION_FACTOR_DENOMINATOR: Entry<Single, i32, ReadWrite, RxTx> =
+                Entry::new(0x604C, 2);
         }
 
         /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const QUICK_STOP_OPTION_CODE: Entry<Single, QuickStopOptionCode, ReadWrite> =
+        pub const QUICK_STOP_OPTION_CODE: Entry<Single, QuickStopOptionCode, ReadWrite, Rx> =
             Entry::new(0x605A, 0);
 
         /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// What the drive does when a fault is found.
-        pub const FAULT_REACTION_OPTION_CODE: Entry<Single, FaultReactionOptionCode, ReadWrite> =
+        pub const FAULT_REACTION_OPTION_CODE: Entry<Single, FaultReactionOptionCode, ReadWrite, Rx> =
             Entry::new(0x605E, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
         ///
         /// The mode of operation that is asked for; 0x6061 tells when it is active.
-        pub const MODES_OF_OPERATION: Entry<Single, i8, ReadWrite> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<Single, i8, ReadWrite, RxTx> = Entry::new(0x6060, 0);
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<Single, i8, ReadOnly> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<Single, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
         /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34; 7.2.2,
         /// Tab. 35).
         ///
         /// The measured position, in position units.
-        pub const POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
         /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab.
         /// 34; 7.2.2, Tab. 35).
         ///
         /// How far the actual position may be from the demanded one, to either side, before a following error
         /// is counted; the largest value switches the supervision off.
-        pub const FOLLOWING_ERROR_WINDOW: Entry<Single, u32, ReadWrite> = Entry::new(0x6065, 0);
+        pub const FOLLOWING_ERROR_WINDOW: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6065, 0);
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How many milliseconds the position may be outside its following error window before a following
         /// error is reported.
-        pub const FOLLOWING_ERROR_TIME_OUT: Entry<Single, u16, ReadWrite> = Entry::new(0x6066, 0);
+        pub const FOLLOWING_ERROR_TIME_OUT: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6066, 0);
 
         /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2, Tab.
         /// 35).
         ///
         /// The measured velocity, in velocity units.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<Single, i32, ReadOnly> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
         /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
-        pub const TARGET_TORQUE: Entry<Single, i16, ReadWrite> = Entry::new(0x6071, 0);
+        pub const TARGET_TORQUE: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x6071, 0);
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The largest torque allowed in the motor, in thousandths of the rated torque.
-        pub const MAX_TORQUE: Entry<Single, u16, ReadWrite> = Entry::new(0x6072, 0);
+        pub const MAX_TORQUE: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6072, 0);
 
         /// `0x6076:00` Rated torque. UINT32, rw, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
         /// to it.
-        pub const MOTOR_RATED_TORQUE: Entry<Single, u32, ReadWrite> = Entry::new(0x6076, 0);
+        pub const MOTOR_RATED_TORQUE: Entry<Single, u32, ReadWrite, Tx> = Entry::new(0x6076, 0);
 
         /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
-        pub const TORQUE_ACTUAL_VALUE: Entry<Single, i16, ReadOnly> = Entry::new(0x6077, 0);
+        pub const TORQUE_ACTUAL_VALUE: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The current of the motor at this moment, in thousandths of the rated current.
-        pub const CURRENT_ACTUAL_VALUE: Entry<Single, i16, ReadOnly> = Entry::new(0x6078, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6078, 0);
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The voltage of the DC link, in millivolts.
-        pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<Single, u32, ReadOnly> = Entry::new(0x6079, 0);
+        pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<Single, u32, ReadOnly, Tx> = Entry::new(0x6079, 0);
 
         /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The position to move to: the end of a move in profile position mode, the next point of the path in
         /// cyclic synchronous position mode.
-        pub const TARGET_POSITION: Entry<Single, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const TARGET_POSITION: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607A, 0);
 
         /// `0x607B` Position range limit.
         ///
@@ -6179,20 +6270,20 @@ pub mod single {
             /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// There for compatibility only, it does nothing.
-            pub const MIN_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite> = Entry::new(0x607B, 1);
+            pub const MIN_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607B, 1);
 
             /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
-            pub const MAX_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite> = Entry::new(0x607B, 2);
+            pub const MAX_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607B, 2);
         }
 
         /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34; 7.2.2,
         /// Tab. 35).
         ///
         /// The distance from the home position found by homing to the zero of the position values.
-        pub const HOME_OFFSET: Entry<Single, i32, ReadWrite> = Entry::new(0x607C, 0);
+        pub const HOME_OFFSET: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607C, 0);
 
         /// `0x607D` Software position limit.
         ///
@@ -6209,10 +6300,10 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x607D, 0);
 
             /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const MIN_POSITION_LIMIT: Entry<Single, i32, ReadWrite> = Entry::new(0x607D, 1);
+            pub const MIN_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607D, 1);
 
             /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const MAX_POSITION_LIMIT: Entry<Single, i32, ReadWrite> = Entry::new(0x607D, 2);
+            pub const MAX_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607D, 2);
         }
 
         /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, Tab. 34).
@@ -6220,42 +6311,42 @@ pub mod single {
         /// Which set values and actual values are multiplied by -1.
         ///
         /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
-        pub const POLARITY: Entry<Single, Polarity, ReadWrite> = Entry::new(0x607E, 0);
+        pub const POLARITY: Entry<Single, Polarity, ReadWrite, Rx> = Entry::new(0x607E, 0);
 
         /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The greatest velocity allowed during a profiled move, in either direction.
-        pub const MAX_PROFILE_VELOCITY: Entry<Single, u32, ReadWrite> = Entry::new(0x607F, 0);
+        pub const MAX_PROFILE_VELOCITY: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x607F, 0);
 
         /// `0x6081:00` Profile velocity. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The velocity that a move has once it is no longer accelerating, in either direction.
-        pub const PROFILE_VELOCITY: Entry<Single, u32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const PROFILE_VELOCITY: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6081, 0);
 
         /// `0x6083:00` Profile acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// How a move gets faster.
-        pub const PROFILE_ACCELERATION: Entry<Single, u32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const PROFILE_ACCELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6083, 0);
 
         /// `0x6084:00` Profile deceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// How a move gets slower; if it is not there, the acceleration holds for both.
-        pub const PROFILE_DECELERATION: Entry<Single, u32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const PROFILE_DECELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6084, 0);
 
         /// `0x6085:00` Quick stop deceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab.
         /// 34; 7.2.2, Tab. 35).
         ///
         /// How the drive gets slower on the quick stop ramp.
-        pub const QUICK_STOP_DECELERATION: Entry<Single, u32, ReadWrite> = Entry::new(0x6085, 0);
+        pub const QUICK_STOP_DECELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6085, 0);
 
         /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How fast the torque may change, in thousandths of the rated torque per second.
-        pub const TORQUE_SLOPE: Entry<Single, u32, ReadWrite> = Entry::new(0x6087, 0);
+        pub const TORQUE_SLOPE: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6087, 0);
 
         /// `0x6091` Gear ratio.
         ///
@@ -6271,10 +6362,10 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6091, 0);
 
             /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const MOTOR_REVOLUTIONS: Entry<Single, u32, ReadWrite> = Entry::new(0x6091, 1);
+            pub const MOTOR_REVOLUTIONS: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6091, 1);
 
             /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const SHAFT_REVOLUTIONS: Entry<Single, u32, ReadWrite> = Entry::new(0x6091, 2);
+            pub const SHAFT_REVOLUTIONS: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6091, 2);
         }
 
         /// `0x6092` Feed constant.
@@ -6292,10 +6383,10 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6092, 0);
 
             /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO, default 0x00100000.
-            pub const FEED: Entry<Single, u32, ReadWrite> = Entry::new(0x6092, 1);
+            pub const FEED: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6092, 1);
 
             /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
-            pub const SHAFT_REVOLUTIONS: Entry<Single, u32, ReadWrite> = Entry::new(0x6092, 2);
+            pub const SHAFT_REVOLUTIONS: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6092, 2);
         }
 
         /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -6315,17 +6406,19 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6099, 0);
 
             /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<Single, u32, ReadWrite> = Entry::new(0x6099, 1);
+            pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<Single, u32, ReadWrite, RxTx> =
+                Entry::new(0x6099, 1);
 
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<Single, u32, ReadWrite> = Entry::new(0x6099, 2);
+            pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<Single, u32, ReadWrite, RxTx> =
+                Entry::new(0x6099, 2);
         }
 
         /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// How the drive gets faster and slower while it looks for the home position.
-        pub const HOMING_ACCELERATION: Entry<Single, u32, ReadWrite> = Entry::new(0x609A, 0);
+        pub const HOMING_ACCELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x609A, 0);
 
         /// `0x60A3:00` Profile jerk use. UINT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -6344,7 +6437,7 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
             /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub const PROFILE_JERK_1: Entry<Single, u32, ReadWrite> = Entry::new(0x60A4, 1);
+            pub const PROFILE_JERK_1: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x60A4, 1);
         }
 
         /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2,
@@ -6352,52 +6445,53 @@ pub mod single {
         ///
         /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
         /// cyclic synchronous position mode.
-        pub const VELOCITY_OFFSET: Entry<Single, i32, ReadWrite> = Entry::new(0x60B1, 0);
+        pub const VELOCITY_OFFSET: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x60B1, 0);
 
         /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
-        pub const TORQUE_OFFSET: Entry<Single, i16, ReadWrite> = Entry::new(0x60B2, 0);
+        pub const TORQUE_OFFSET: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x60B2, 0);
 
         /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Switches the touch probes on and says which edges of which signal they look for.
-        pub const TOUCH_PROBE_FUNCTION: Entry<Single, TouchProbeFunction, ReadWrite> = Entry::new(0x60B8, 0);
+        pub const TOUCH_PROBE_FUNCTION: Entry<Single, TouchProbeFunction, ReadWrite, RxTx> =
+            Entry::new(0x60B8, 0);
 
         /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Which touch probes are on, and which edges they have seen.
-        pub const TOUCH_PROBE_STATUS: Entry<Single, TouchProbeStatus, ReadOnly> = Entry::new(0x60B9, 0);
+        pub const TOUCH_PROBE_STATUS: Entry<Single, TouchProbeStatus, ReadOnly, Tx> = Entry::new(0x60B9, 0);
 
         /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 1 has seen.
-        pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<Single, i32, ReadOnly> = Entry::new(0x60BA, 0);
+        pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BA, 0);
 
         /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 1 has seen.
-        pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly> = Entry::new(0x60BB, 0);
+        pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BB, 0);
 
         /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 2 has seen.
-        pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<Single, i32, ReadOnly> = Entry::new(0x60BC, 0);
+        pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BC, 0);
 
         /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 2 has seen.
-        pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly> = Entry::new(0x60BD, 0);
+        pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BD, 0);
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<Single, InterpolationSubModeSelect, ReadWrite> =
+        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<Single, InterpolationSubModeSelect, ReadWrite, Rx> =
             Entry::new(0x60C0, 0);
 
         /// `0x60C1` Interpolation data record.
@@ -6415,7 +6509,7 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60C1, 0);
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const _1ST_SET_POINT: Entry<Single, i32, ReadWrite> = Entry::new(0x60C1, 1);
+            pub const _1ST_SET_POINT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x60C1, 1);
         }
 
         /// `0x60C2` Interpolation time period.
@@ -6433,10 +6527,11 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<Single, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<Single, u8, ReadWrite, Rx> =
+                Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO.
-            pub const INTERPOLATION_TIME_INDEX: Entry<Single, i8, ReadWrite> = Entry::new(0x60C2, 2);
+            pub const INTERPOLATION_TIME_INDEX: Entry<Single, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60C4` Interpolation data configuration.
@@ -6494,13 +6589,13 @@ pub mod single {
         /// 7.2.2, Tab. 35).
         ///
         /// The greatest acceleration allowed, whatever is asked for.
-        pub const MAX_ACCELERATION: Entry<Single, u32, ReadWrite> = Entry::new(0x60C5, 0);
+        pub const MAX_ACCELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x60C5, 0);
 
         /// `0x60C6:00` Max deceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The greatest deceleration allowed, whatever is asked for.
-        pub const MAX_DECELERATION: Entry<Single, u32, ReadWrite> = Entry::new(0x60C6, 0);
+        pub const MAX_DECELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x60C6, 0);
 
         /// `0x60D0` Touch probe source.
         ///
@@ -6624,7 +6719,7 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60E4, 0);
 
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
-            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly> =
+            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> =
                 Entry::new(0x60E4, 1);
         }
 
@@ -6632,20 +6727,20 @@ pub mod single {
         ///
         /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
         /// turns.
-        pub const POSITIONING_OPTION_CODE: Entry<Single, PositioningOptionCode, ReadWrite> =
+        pub const POSITIONING_OPTION_CODE: Entry<Single, PositioningOptionCode, ReadWrite, Rx> =
             Entry::new(0x60F2, 0);
 
         /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
-        pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<Single, i32, ReadOnly> = Entry::new(0x60F4, 0);
+        pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
-        pub const DIGITAL_INPUTS: Entry<Single, DigitalInputs, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_INPUTS: Entry<Single, DigitalInputs, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FE` Digital outputs.
         ///
@@ -6661,7 +6756,7 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60FE, 0);
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
-            pub const PHYSICAL_OUTPUTS: Entry<Single, PhysicalOutputs, ReadWrite> = Entry::new(0x60FE, 1);
+            pub const PHYSICAL_OUTPUTS: Entry<Single, PhysicalOutputs, ReadWrite, Rx> = Entry::new(0x60FE, 1);
         }
 
         /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2,
@@ -6669,7 +6764,7 @@ pub mod single {
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
-        pub const TARGET_VELOCITY: Entry<Single, i32, ReadWrite> = Entry::new(0x60FF, 0);
+        pub const TARGET_VELOCITY: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -8156,6 +8251,36 @@ pub mod single {
         ];
     }
 
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeRxPdo1600 {}
+
+    impl FreePdo for FreeRxPdo1600 {
+        type Device = Single;
+        type Direction = Rx;
+
+        const INDICES: &'static [u16] = &[0x1600];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeTxPdo1A00 {}
+
+    impl FreePdo for FreeTxPdo1A00 {
+        type Device = Single;
+        type Direction = Tx;
+
+        const INDICES: &'static [u16] = &[0x1A00];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
     /// The outputs of the master with the PDOs assigned by default, 23 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -8280,6 +8405,41 @@ pub mod single {
             mandatory: &[],
             exclusive: &[],
         };
+    }
+
+    impl BringUp for Single {
+        const MAPS: bool = false;
+
+        const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Standard mapping.
+        ///
+        /// As delivered; 8 is the default of A541. The modes -1, 1, 3, 4, 6, 9 and 10 work with it, too.
+        ///
+        /// Source: 5.2.12, 7.1.
+        pub const STANDARD: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x08], "mode of operation")];
+
+        /// Interpolated position mode.
+        ///
+        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
+        pub const INTERPOLATED_POSITION: [Write; 1] =
+            [Write::new(Address::new(0x6060, 0), &[0x07], "mode of operation")];
+
+        /// Velocity mode.
+        ///
+        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -10696,8 +10856,9 @@ pub mod double_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
@@ -10736,7 +10897,12 @@ pub mod double_hires {
             first.wrapping_add(shift.wrapping_mul(self as u16))
         }
 
-        const fn entry<T: ?Sized, A>(self, first: u16, shift: u16, subindex: u8) -> Entry<DoubleHires, T, A> {
+        const fn entry<T: ?Sized, A, M>(
+            self,
+            first: u16,
+            shift: u16,
+            subindex: u8,
+        ) -> Entry<DoubleHires, T, A, M> {
             Entry::new(self.index(first, shift), subindex)
         }
     }
@@ -11041,7 +11207,7 @@ pub mod double_hires {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<DoubleHires, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<DoubleHires, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -11124,60 +11290,60 @@ pub mod double_hires {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<DoubleHires, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<DoubleHires, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
-        pub const fn status_word_user_defined(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly> {
+        pub const fn status_word_user_defined(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly, Tx> {
             axis.entry(0x2043, 0x8000, 0)
         }
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
-        pub const fn status_word_2(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly> {
+        pub const fn status_word_2(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly, Tx> {
             axis.entry(0x28C9, 0x8000, 0)
         }
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The code of the last error that occurred in the drive.
-        pub const fn error_code(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly> {
+        pub const fn error_code(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly, Tx> {
             axis.entry(0x603F, 0x800, 0)
         }
 
         /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
-        pub const fn controlword(axis: Axis) -> Entry<DoubleHires, Controlword, ReadWrite> {
+        pub const fn controlword(axis: Axis) -> Entry<DoubleHires, Controlword, ReadWrite, RxTx> {
             axis.entry(0x6040, 0x800, 0)
         }
 
         /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
-        pub const fn statusword(axis: Axis) -> Entry<DoubleHires, Statusword, ReadOnly> {
+        pub const fn statusword(axis: Axis) -> Entry<DoubleHires, Statusword, ReadOnly, Tx> {
             axis.entry(0x6041, 0x800, 0)
         }
 
         /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity wanted in velocity mode, before limits and ramps.
-        pub const fn vl_target_velocity(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite> {
+        pub const fn vl_target_velocity(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
             axis.entry(0x6042, 0x800, 0)
         }
 
         /// `0x6043:00` Vl velocity demand. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity that the ramps of velocity mode have arrived at; what the controller is given.
-        pub const fn vl_velocity_demand(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly> {
+        pub const fn vl_velocity_demand(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
             axis.entry(0x6043, 0x800, 0)
         }
 
         /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
-        pub const fn vl_velocity_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly> {
+        pub const fn vl_velocity_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
             axis.entry(0x6044, 0x800, 0)
         }
 
@@ -11195,12 +11361,12 @@ pub mod double_hires {
             }
 
             /// `0x6046:01` Vl velocity min amount. UINT32, rw, RxPDO and TxPDO.
-            pub const fn vl_velocity_min_amount(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn vl_velocity_min_amount(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6046, 0x800, 1)
             }
 
             /// `0x6046:02` Vl velocity max amount. UINT32, rw, RxPDO and TxPDO.
-            pub const fn vl_velocity_max_amount(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn vl_velocity_max_amount(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6046, 0x800, 2)
             }
         }
@@ -11219,12 +11385,12 @@ pub mod double_hires {
             }
 
             /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 1)
             }
 
             /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite> {
+            pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 2)
             }
         }
@@ -11243,12 +11409,12 @@ pub mod double_hires {
             }
 
             /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 1)
             }
 
             /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite> {
+            pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 2)
             }
         }
@@ -11267,12 +11433,12 @@ pub mod double_hires {
             }
 
             /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 1)
             }
 
             /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite> {
+            pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 2)
             }
         }
@@ -11291,12 +11457,16 @@ pub mod double_hires {
             }
 
             /// `0x604B:01` Vl set-point factor numerator. INT16, rw, RxPDO and TxPDO.
-            pub const fn vl_set_point_factor_numerator(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite> {
+            pub const fn vl_set_point_factor_numerator(
+                axis: Axis,
+            ) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
                 axis.entry(0x604B, 0x800, 1)
             }
 
             /// `0x604B:02` Vl set-point factor denominator. INT16, rw, RxPDO and TxPDO.
-            pub const fn vl_set_point_factor_denominator(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite> {
+            pub const fn vl_set_point_factor_denominator(
+                axis: Axis,
+            ) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
                 axis.entry(0x604B, 0x800, 2)
             }
         }
@@ -11315,12 +11485,16 @@ pub mod double_hires {
             }
 
             /// `0x604C:01` Vl dimension factor numerator. INT32, rw, RxPDO and TxPDO.
-            pub const fn vl_dimension_factor_numerator(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+            pub const fn vl_dimension_factor_numerator(
+                axis: Axis,
+            ) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x604C, 0x800, 1)
             }
 
             /// `0x604C:02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
-            pub const fn vl_dimension_factor_denominator(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+            pub const fn vl_dimension_factor_denominator(
+                axis: Axis,
+            ) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x604C, 0x800, 2)
             }
         }
@@ -11330,7 +11504,7 @@ pub mod double_hires {
         /// How the drive stops on the command quick stop, and where it goes from there.
         pub const fn quick_stop_option_code(
             axis: Axis,
-        ) -> Entry<DoubleHires, QuickStopOptionCode, ReadWrite> {
+        ) -> Entry<DoubleHires, QuickStopOptionCode, ReadWrite, Rx> {
             axis.entry(0x605A, 0x800, 0)
         }
 
@@ -11339,21 +11513,21 @@ pub mod double_hires {
         /// What the drive does when a fault is found.
         pub const fn fault_reaction_option_code(
             axis: Axis,
-        ) -> Entry<DoubleHires, FaultReactionOptionCode, ReadWrite> {
+        ) -> Entry<DoubleHires, FaultReactionOptionCode, ReadWrite, Rx> {
             axis.entry(0x605E, 0x800, 0)
         }
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
         ///
         /// The mode of operation that is asked for; 0x6061 tells when it is active.
-        pub const fn modes_of_operation(axis: Axis) -> Entry<DoubleHires, i8, ReadWrite> {
+        pub const fn modes_of_operation(axis: Axis) -> Entry<DoubleHires, i8, ReadWrite, RxTx> {
             axis.entry(0x6060, 0x800, 0)
         }
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The mode of operation that is active.
-        pub const fn modes_of_operation_display(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly> {
+        pub const fn modes_of_operation_display(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly, Tx> {
             axis.entry(0x6061, 0x800, 0)
         }
 
@@ -11361,7 +11535,7 @@ pub mod double_hires {
         /// Tab. 35).
         ///
         /// The measured position, in position units.
-        pub const fn position_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly> {
+        pub const fn position_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x6064, 0x800, 0)
         }
 
@@ -11370,7 +11544,7 @@ pub mod double_hires {
         ///
         /// How far the actual position may be from the demanded one, to either side, before a following error
         /// is counted; the largest value switches the supervision off.
-        pub const fn following_error_window(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn following_error_window(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6065, 0x800, 0)
         }
 
@@ -11378,7 +11552,7 @@ pub mod double_hires {
         ///
         /// How many milliseconds the position may be outside its following error window before a following
         /// error is reported.
-        pub const fn following_error_time_out(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite> {
+        pub const fn following_error_time_out(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
             axis.entry(0x6066, 0x800, 0)
         }
 
@@ -11386,21 +11560,21 @@ pub mod double_hires {
         /// 7.2.2, Tab. 35).
         ///
         /// The measured velocity, in velocity units.
-        pub const fn velocity_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly> {
+        pub const fn velocity_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x606C, 0x800, 0)
         }
 
         /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
-        pub const fn target_torque(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite> {
+        pub const fn target_torque(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
             axis.entry(0x6071, 0x800, 0)
         }
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The largest torque allowed in the motor, in thousandths of the rated torque.
-        pub const fn max_torque(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite> {
+        pub const fn max_torque(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
             axis.entry(0x6072, 0x800, 0)
         }
 
@@ -11408,28 +11582,28 @@ pub mod double_hires {
         ///
         /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
         /// to it.
-        pub const fn motor_rated_torque(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn motor_rated_torque(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, Tx> {
             axis.entry(0x6076, 0x800, 0)
         }
 
         /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
-        pub const fn torque_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly> {
+        pub const fn torque_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
             axis.entry(0x6077, 0x800, 0)
         }
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The current of the motor at this moment, in thousandths of the rated current.
-        pub const fn current_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly> {
+        pub const fn current_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
             axis.entry(0x6078, 0x800, 0)
         }
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The voltage of the DC link, in millivolts.
-        pub const fn dc_link_circuit_voltage(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+        pub const fn dc_link_circuit_voltage(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly, Tx> {
             axis.entry(0x6079, 0x800, 0)
         }
 
@@ -11438,7 +11612,7 @@ pub mod double_hires {
         ///
         /// The position to move to: the end of a move in profile position mode, the next point of the path in
         /// cyclic synchronous position mode.
-        pub const fn target_position(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+        pub const fn target_position(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x607A, 0x800, 0)
         }
 
@@ -11459,7 +11633,7 @@ pub mod double_hires {
             /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             ///
             /// There for compatibility only, it does nothing.
-            pub const fn min_position_range_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+            pub const fn min_position_range_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x607B, 0x800, 1)
             }
 
@@ -11467,7 +11641,7 @@ pub mod double_hires {
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
-            pub const fn max_position_range_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+            pub const fn max_position_range_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x607B, 0x800, 2)
             }
         }
@@ -11476,7 +11650,7 @@ pub mod double_hires {
         /// Tab. 35).
         ///
         /// The distance from the home position found by homing to the zero of the position values.
-        pub const fn home_offset(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+        pub const fn home_offset(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x607C, 0x800, 0)
         }
 
@@ -11497,12 +11671,12 @@ pub mod double_hires {
             }
 
             /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const fn min_position_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+            pub const fn min_position_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x607D, 0x800, 1)
             }
 
             /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const fn max_position_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+            pub const fn max_position_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x607D, 0x800, 2)
             }
         }
@@ -11512,7 +11686,7 @@ pub mod double_hires {
         /// Which set values and actual values are multiplied by -1.
         ///
         /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
-        pub const fn polarity(axis: Axis) -> Entry<DoubleHires, Polarity, ReadWrite> {
+        pub const fn polarity(axis: Axis) -> Entry<DoubleHires, Polarity, ReadWrite, Rx> {
             axis.entry(0x607E, 0x800, 0)
         }
 
@@ -11520,7 +11694,7 @@ pub mod double_hires {
         /// 34; 7.2.2, Tab. 35).
         ///
         /// The greatest velocity allowed during a profiled move, in either direction.
-        pub const fn max_profile_velocity(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn max_profile_velocity(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x607F, 0x800, 0)
         }
 
@@ -11528,7 +11702,7 @@ pub mod double_hires {
         /// 7.2.2, Tab. 35).
         ///
         /// The velocity that a move has once it is no longer accelerating, in either direction.
-        pub const fn profile_velocity(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn profile_velocity(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6081, 0x800, 0)
         }
 
@@ -11536,7 +11710,7 @@ pub mod double_hires {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How a move gets faster.
-        pub const fn profile_acceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn profile_acceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6083, 0x800, 0)
         }
 
@@ -11544,7 +11718,7 @@ pub mod double_hires {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How a move gets slower; if it is not there, the acceleration holds for both.
-        pub const fn profile_deceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn profile_deceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6084, 0x800, 0)
         }
 
@@ -11552,14 +11726,14 @@ pub mod double_hires {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the drive gets slower on the quick stop ramp.
-        pub const fn quick_stop_deceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn quick_stop_deceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6085, 0x800, 0)
         }
 
         /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How fast the torque may change, in thousandths of the rated torque per second.
-        pub const fn torque_slope(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn torque_slope(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6087, 0x800, 0)
         }
 
@@ -11579,12 +11753,12 @@ pub mod double_hires {
             }
 
             /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const fn motor_revolutions(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn motor_revolutions(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6091, 0x800, 1)
             }
 
             /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const fn shaft_revolutions(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn shaft_revolutions(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6091, 0x800, 2)
             }
         }
@@ -11606,12 +11780,12 @@ pub mod double_hires {
             }
 
             /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO.
-            pub const fn feed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn feed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6092, 0x800, 1)
             }
 
             /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const fn shaft_revolutions(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn shaft_revolutions(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6092, 0x800, 2)
             }
         }
@@ -11637,12 +11811,16 @@ pub mod double_hires {
             }
 
             /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub const fn speed_during_search_for_switch(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn speed_during_search_for_switch(
+                axis: Axis,
+            ) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6099, 0x800, 1)
             }
 
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub const fn speed_during_search_for_zero(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn speed_during_search_for_zero(
+                axis: Axis,
+            ) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6099, 0x800, 2)
             }
         }
@@ -11651,7 +11829,7 @@ pub mod double_hires {
         /// 34; 7.2.2, Tab. 35).
         ///
         /// How the drive gets faster and slower while it looks for the home position.
-        pub const fn homing_acceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn homing_acceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x609A, 0x800, 0)
         }
 
@@ -11676,7 +11854,7 @@ pub mod double_hires {
             }
 
             /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub const fn profile_jerk_1(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+            pub const fn profile_jerk_1(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x60A4, 0x800, 1)
             }
         }
@@ -11686,7 +11864,7 @@ pub mod double_hires {
         ///
         /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
         /// cyclic synchronous position mode.
-        pub const fn velocity_offset(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+        pub const fn velocity_offset(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x60B1, 0x800, 0)
         }
 
@@ -11694,21 +11872,23 @@ pub mod double_hires {
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
-        pub const fn torque_offset(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite> {
+        pub const fn torque_offset(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
             axis.entry(0x60B2, 0x800, 0)
         }
 
         /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Switches the touch probes on and says which edges of which signal they look for.
-        pub const fn touch_probe_function(axis: Axis) -> Entry<DoubleHires, TouchProbeFunction, ReadWrite> {
+        pub const fn touch_probe_function(
+            axis: Axis,
+        ) -> Entry<DoubleHires, TouchProbeFunction, ReadWrite, RxTx> {
             axis.entry(0x60B8, 0x800, 0)
         }
 
         /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Which touch probes are on, and which edges they have seen.
-        pub const fn touch_probe_status(axis: Axis) -> Entry<DoubleHires, TouchProbeStatus, ReadOnly> {
+        pub const fn touch_probe_status(axis: Axis) -> Entry<DoubleHires, TouchProbeStatus, ReadOnly, Tx> {
             axis.entry(0x60B9, 0x800, 0)
         }
 
@@ -11716,7 +11896,7 @@ pub mod double_hires {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 1 has seen.
-        pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly> {
+        pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BA, 0x800, 0)
         }
 
@@ -11724,7 +11904,7 @@ pub mod double_hires {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 1 has seen.
-        pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly> {
+        pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BB, 0x800, 0)
         }
 
@@ -11732,7 +11912,7 @@ pub mod double_hires {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 2 has seen.
-        pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly> {
+        pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BC, 0x800, 0)
         }
 
@@ -11740,7 +11920,7 @@ pub mod double_hires {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 2 has seen.
-        pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly> {
+        pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BD, 0x800, 0)
         }
 
@@ -11749,7 +11929,7 @@ pub mod double_hires {
         /// The way of interpolating; negative values are the manufacturer's.
         pub const fn interpolation_sub_mode_select(
             axis: Axis,
-        ) -> Entry<DoubleHires, InterpolationSubModeSelect, ReadWrite> {
+        ) -> Entry<DoubleHires, InterpolationSubModeSelect, ReadWrite, Rx> {
             axis.entry(0x60C0, 0x800, 0)
         }
 
@@ -11770,7 +11950,7 @@ pub mod double_hires {
             }
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const fn _1st_set_point(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+            pub const fn _1st_set_point(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x60C1, 0x800, 1)
             }
         }
@@ -11792,12 +11972,14 @@ pub mod double_hires {
             }
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO.
-            pub const fn interpolation_time_period_value(axis: Axis) -> Entry<DoubleHires, u8, ReadWrite> {
+            pub const fn interpolation_time_period_value(
+                axis: Axis,
+            ) -> Entry<DoubleHires, u8, ReadWrite, Rx> {
                 axis.entry(0x60C2, 0x800, 1)
             }
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO.
-            pub const fn interpolation_time_index(axis: Axis) -> Entry<DoubleHires, i8, ReadWrite> {
+            pub const fn interpolation_time_index(axis: Axis) -> Entry<DoubleHires, i8, ReadWrite, Rx> {
                 axis.entry(0x60C2, 0x800, 2)
             }
         }
@@ -11872,7 +12054,7 @@ pub mod double_hires {
         /// 34; 7.2.2, Tab. 35).
         ///
         /// The greatest acceleration allowed, whatever is asked for.
-        pub const fn max_acceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn max_acceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x60C5, 0x800, 0)
         }
 
@@ -11880,7 +12062,7 @@ pub mod double_hires {
         /// 34; 7.2.2, Tab. 35).
         ///
         /// The greatest deceleration allowed, whatever is asked for.
-        pub const fn max_deceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite> {
+        pub const fn max_deceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x60C6, 0x800, 0)
         }
 
@@ -12078,7 +12260,7 @@ pub mod double_hires {
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
             pub const fn _1st_additional_position_actual_value(
                 axis: Axis,
-            ) -> Entry<DoubleHires, i32, ReadOnly> {
+            ) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
                 axis.entry(0x60E4, 0x800, 1)
             }
         }
@@ -12089,7 +12271,7 @@ pub mod double_hires {
         /// turns.
         pub const fn positioning_option_code(
             axis: Axis,
-        ) -> Entry<DoubleHires, PositioningOptionCode, ReadWrite> {
+        ) -> Entry<DoubleHires, PositioningOptionCode, ReadWrite, Rx> {
             axis.entry(0x60F2, 0x800, 0)
         }
 
@@ -12097,7 +12279,7 @@ pub mod double_hires {
         /// 7.2.2, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
-        pub const fn following_error_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly> {
+        pub const fn following_error_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60F4, 0x800, 0)
         }
 
@@ -12105,7 +12287,7 @@ pub mod double_hires {
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
-        pub const fn digital_inputs(axis: Axis) -> Entry<DoubleHires, DigitalInputs, ReadOnly> {
+        pub const fn digital_inputs(axis: Axis) -> Entry<DoubleHires, DigitalInputs, ReadOnly, Tx> {
             axis.entry(0x60FD, 0x800, 0)
         }
 
@@ -12125,7 +12307,7 @@ pub mod double_hires {
             }
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
-            pub const fn physical_outputs(axis: Axis) -> Entry<DoubleHires, PhysicalOutputs, ReadWrite> {
+            pub const fn physical_outputs(axis: Axis) -> Entry<DoubleHires, PhysicalOutputs, ReadWrite, Rx> {
                 axis.entry(0x60FE, 0x800, 1)
             }
         }
@@ -12135,7 +12317,7 @@ pub mod double_hires {
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
-        pub const fn target_velocity(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite> {
+        pub const fn target_velocity(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x60FF, 0x800, 0)
         }
 
@@ -13658,6 +13840,36 @@ pub mod double_hires {
         ];
     }
 
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeRxPdo1600 {}
+
+    impl FreePdo for FreeRxPdo1600 {
+        type Device = DoubleHires;
+        type Direction = Rx;
+
+        const INDICES: &'static [u16] = &[0x1600, 0x1601];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeTxPdo1A00 {}
+
+    impl FreePdo for FreeTxPdo1A00 {
+        type Device = DoubleHires;
+        type Direction = Tx;
+
+        const INDICES: &'static [u16] = &[0x1A00, 0x1A01];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -13812,6 +14024,52 @@ pub mod double_hires {
             mandatory: &[],
             exclusive: &[],
         };
+    }
+
+    impl BringUp for DoubleHires {
+        const MAPS: bool = false;
+
+        const AXES: &'static [AxisObjects] = &[
+            AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
+            AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
+        ];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Standard mapping.
+        ///
+        /// As delivered; 8 is the default of A541. The modes -1, 1, 3, 4, 6, 9 and 10 work with it, too.
+        ///
+        /// Source: 5.2.12, 7.1.
+        pub const STANDARD: [Write; 2] = [
+            Write::new(Address::new(0x6060, 0), &[0x08], "mode of operation"),
+            Write::new(Address::new(0x6860, 0), &[0x08], "mode of operation"),
+        ];
+
+        /// Interpolated position mode.
+        ///
+        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
+        pub const INTERPOLATED_POSITION: [Write; 2] = [
+            Write::new(Address::new(0x6060, 0), &[0x07], "mode of operation"),
+            Write::new(Address::new(0x6860, 0), &[0x07], "mode of operation"),
+        ];
+
+        /// Velocity mode.
+        ///
+        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        pub const VELOCITY: [Write; 2] = [
+            Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
+            Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
+        ];
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -16190,8 +16448,9 @@ pub mod single_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402 HiRes Motion.
@@ -16463,7 +16722,7 @@ pub mod single_hires {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<SingleHires, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<SingleHires, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -16546,46 +16805,46 @@ pub mod single_hires {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<SingleHires, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<SingleHires, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
-        pub const STATUS_WORD_USER_DEFINED: Entry<SingleHires, u16, ReadOnly> = Entry::new(0x2043, 0);
+        pub const STATUS_WORD_USER_DEFINED: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x2043, 0);
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
-        pub const STATUS_WORD_2: Entry<SingleHires, u16, ReadOnly> = Entry::new(0x28C9, 0);
+        pub const STATUS_WORD_2: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x28C9, 0);
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The code of the last error that occurred in the drive.
-        pub const ERROR_CODE: Entry<SingleHires, u16, ReadOnly> = Entry::new(0x603F, 0);
+        pub const ERROR_CODE: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x603F, 0);
 
         /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
-        pub const CONTROLWORD: Entry<SingleHires, Controlword, ReadWrite> = Entry::new(0x6040, 0);
+        pub const CONTROLWORD: Entry<SingleHires, Controlword, ReadWrite, RxTx> = Entry::new(0x6040, 0);
 
         /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
-        pub const STATUSWORD: Entry<SingleHires, Statusword, ReadOnly> = Entry::new(0x6041, 0);
+        pub const STATUSWORD: Entry<SingleHires, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
         /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity wanted in velocity mode, before limits and ramps.
-        pub const VL_TARGET_VELOCITY: Entry<SingleHires, i16, ReadWrite> = Entry::new(0x6042, 0);
+        pub const VL_TARGET_VELOCITY: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x6042, 0);
 
         /// `0x6043:00` Vl velocity demand. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity that the ramps of velocity mode have arrived at; what the controller is given.
-        pub const VL_VELOCITY_DEMAND: Entry<SingleHires, i16, ReadOnly> = Entry::new(0x6043, 0);
+        pub const VL_VELOCITY_DEMAND: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6043, 0);
 
         /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
-        pub const VL_VELOCITY_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly> = Entry::new(0x6044, 0);
+        pub const VL_VELOCITY_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6044, 0);
 
         /// `0x6046` Vl velocity min max amount.
         ///
@@ -16599,10 +16858,12 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6046, 0);
 
             /// `0x6046:01` Vl velocity min amount. UINT32, rw, RxPDO and TxPDO.
-            pub const VL_VELOCITY_MIN_AMOUNT: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6046, 1);
+            pub const VL_VELOCITY_MIN_AMOUNT: Entry<SingleHires, u32, ReadWrite, RxTx> =
+                Entry::new(0x6046, 1);
 
             /// `0x6046:02` Vl velocity max amount. UINT32, rw, RxPDO and TxPDO.
-            pub const VL_VELOCITY_MAX_AMOUNT: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6046, 2);
+            pub const VL_VELOCITY_MAX_AMOUNT: Entry<SingleHires, u32, ReadWrite, RxTx> =
+                Entry::new(0x6046, 2);
         }
 
         /// `0x6048` Vl velocity acceleration.
@@ -16617,10 +16878,10 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6048, 0);
 
             /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6048, 1);
+            pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6048, 1);
 
             /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite> = Entry::new(0x6048, 2);
+            pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6048, 2);
         }
 
         /// `0x6049` Vl velocity deceleration.
@@ -16635,10 +16896,10 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6049, 0);
 
             /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6049, 1);
+            pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6049, 1);
 
             /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite> = Entry::new(0x6049, 2);
+            pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6049, 2);
         }
 
         /// `0x604A` Vl velocity quick stop.
@@ -16653,10 +16914,10 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x604A, 0);
 
             /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
-            pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x604A, 1);
+            pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x604A, 1);
 
             /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
-            pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite> = Entry::new(0x604A, 2);
+            pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x604A, 2);
         }
 
         /// `0x604B` Vl set-point factor.
@@ -16671,11 +16932,11 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x604B, 0);
 
             /// `0x604B:01` Vl set-point factor numerator. INT16, rw, RxPDO and TxPDO.
-            pub const VL_SET_POINT_FACTOR_NUMERATOR: Entry<SingleHires, i16, ReadWrite> =
+            pub const VL_SET_POINT_FACTOR_NUMERATOR: Entry<SingleHires, i16, ReadWrite, RxTx> =
                 Entry::new(0x604B, 1);
 
             /// `0x604B:02` Vl set-point factor denominator. INT16, rw, RxPDO and TxPDO.
-            pub const VL_SET_POINT_FACTOR_DENOMINATOR: Entry<SingleHires, i16, ReadWrite> =
+            pub const VL_SET_POINT_FACTOR_DENOMINATOR: Entry<SingleHires, i16, ReadWrite, RxTx> =
                 Entry::new(0x604B, 2);
         }
 
@@ -16691,98 +16952,98 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x604C, 0);
 
             /// `0x604C:01` Vl dimension factor numerator. INT32, rw, RxPDO and TxPDO.
-            pub const VL_DIMENSION_FACTOR_NUMERATOR: Entry<SingleHires, i32, ReadWrite> =
+            pub const VL_DIMENSION_FACTOR_NUMERATOR: Entry<SingleHires, i32, ReadWrite, RxTx> =
                 Entry::new(0x604C, 1);
 
             /// `0x604C:02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
-            pub const VL_DIMENSION_FACTOR_DENOMINATOR: Entry<SingleHires, i32, ReadWrite> =
+            pub const VL_DIMENSION_FACTOR_DENOMINATOR: Entry<SingleHires, i32, ReadWrite, RxTx> =
                 Entry::new(0x604C, 2);
         }
 
         /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const QUICK_STOP_OPTION_CODE: Entry<SingleHires, QuickStopOptionCode, ReadWrite> =
+        pub const QUICK_STOP_OPTION_CODE: Entry<SingleHires, QuickStopOptionCode, ReadWrite, Rx> =
             Entry::new(0x605A, 0);
 
         /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// What the drive does when a fault is found.
-        pub const FAULT_REACTION_OPTION_CODE: Entry<SingleHires, FaultReactionOptionCode, ReadWrite> =
+        pub const FAULT_REACTION_OPTION_CODE: Entry<SingleHires, FaultReactionOptionCode, ReadWrite, Rx> =
             Entry::new(0x605E, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
         ///
         /// The mode of operation that is asked for; 0x6061 tells when it is active.
-        pub const MODES_OF_OPERATION: Entry<SingleHires, i8, ReadWrite> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<SingleHires, i8, ReadWrite, RxTx> = Entry::new(0x6060, 0);
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<SingleHires, i8, ReadOnly> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<SingleHires, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
         /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34; 7.2.2,
         /// Tab. 35).
         ///
         /// The measured position, in position units.
-        pub const POSITION_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
         /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab.
         /// 34; 7.2.2, Tab. 35).
         ///
         /// How far the actual position may be from the demanded one, to either side, before a following error
         /// is counted; the largest value switches the supervision off.
-        pub const FOLLOWING_ERROR_WINDOW: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6065, 0);
+        pub const FOLLOWING_ERROR_WINDOW: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6065, 0);
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How many milliseconds the position may be outside its following error window before a following
         /// error is reported.
-        pub const FOLLOWING_ERROR_TIME_OUT: Entry<SingleHires, u16, ReadWrite> = Entry::new(0x6066, 0);
+        pub const FOLLOWING_ERROR_TIME_OUT: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6066, 0);
 
         /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The measured velocity, in velocity units.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
         /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
-        pub const TARGET_TORQUE: Entry<SingleHires, i16, ReadWrite> = Entry::new(0x6071, 0);
+        pub const TARGET_TORQUE: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x6071, 0);
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The largest torque allowed in the motor, in thousandths of the rated torque.
-        pub const MAX_TORQUE: Entry<SingleHires, u16, ReadWrite> = Entry::new(0x6072, 0);
+        pub const MAX_TORQUE: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6072, 0);
 
         /// `0x6076:00` Rated torque. UINT32, rw, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
         /// to it.
-        pub const MOTOR_RATED_TORQUE: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6076, 0);
+        pub const MOTOR_RATED_TORQUE: Entry<SingleHires, u32, ReadWrite, Tx> = Entry::new(0x6076, 0);
 
         /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
-        pub const TORQUE_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly> = Entry::new(0x6077, 0);
+        pub const TORQUE_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The current of the motor at this moment, in thousandths of the rated current.
-        pub const CURRENT_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly> = Entry::new(0x6078, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6078, 0);
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The voltage of the DC link, in millivolts.
-        pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x6079, 0);
+        pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<SingleHires, u32, ReadOnly, Tx> = Entry::new(0x6079, 0);
 
         /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The position to move to: the end of a move in profile position mode, the next point of the path in
         /// cyclic synchronous position mode.
-        pub const TARGET_POSITION: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const TARGET_POSITION: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607A, 0);
 
         /// `0x607B` Position range limit.
         ///
@@ -16799,20 +17060,22 @@ pub mod single_hires {
             /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             ///
             /// There for compatibility only, it does nothing.
-            pub const MIN_POSITION_RANGE_LIMIT: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x607B, 1);
+            pub const MIN_POSITION_RANGE_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> =
+                Entry::new(0x607B, 1);
 
             /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
-            pub const MAX_POSITION_RANGE_LIMIT: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x607B, 2);
+            pub const MAX_POSITION_RANGE_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> =
+                Entry::new(0x607B, 2);
         }
 
         /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34; 7.2.2,
         /// Tab. 35).
         ///
         /// The distance from the home position found by homing to the zero of the position values.
-        pub const HOME_OFFSET: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x607C, 0);
+        pub const HOME_OFFSET: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607C, 0);
 
         /// `0x607D` Software position limit.
         ///
@@ -16829,10 +17092,10 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x607D, 0);
 
             /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const MIN_POSITION_LIMIT: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x607D, 1);
+            pub const MIN_POSITION_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607D, 1);
 
             /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const MAX_POSITION_LIMIT: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x607D, 2);
+            pub const MAX_POSITION_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607D, 2);
         }
 
         /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, Tab. 34).
@@ -16840,42 +17103,42 @@ pub mod single_hires {
         /// Which set values and actual values are multiplied by -1.
         ///
         /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
-        pub const POLARITY: Entry<SingleHires, Polarity, ReadWrite> = Entry::new(0x607E, 0);
+        pub const POLARITY: Entry<SingleHires, Polarity, ReadWrite, Rx> = Entry::new(0x607E, 0);
 
         /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab.
         /// 34; 7.2.2, Tab. 35).
         ///
         /// The greatest velocity allowed during a profiled move, in either direction.
-        pub const MAX_PROFILE_VELOCITY: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x607F, 0);
+        pub const MAX_PROFILE_VELOCITY: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x607F, 0);
 
         /// `0x6081:00` Profile velocity. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The velocity that a move has once it is no longer accelerating, in either direction.
-        pub const PROFILE_VELOCITY: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const PROFILE_VELOCITY: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6081, 0);
 
         /// `0x6083:00` Profile acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How a move gets faster.
-        pub const PROFILE_ACCELERATION: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const PROFILE_ACCELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6083, 0);
 
         /// `0x6084:00` Profile deceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How a move gets slower; if it is not there, the acceleration holds for both.
-        pub const PROFILE_DECELERATION: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const PROFILE_DECELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6084, 0);
 
         /// `0x6085:00` Quick stop deceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How the drive gets slower on the quick stop ramp.
-        pub const QUICK_STOP_DECELERATION: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6085, 0);
+        pub const QUICK_STOP_DECELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6085, 0);
 
         /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// How fast the torque may change, in thousandths of the rated torque per second.
-        pub const TORQUE_SLOPE: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6087, 0);
+        pub const TORQUE_SLOPE: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6087, 0);
 
         /// `0x6091` Gear ratio.
         ///
@@ -16891,10 +17154,10 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6091, 0);
 
             /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const MOTOR_REVOLUTIONS: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6091, 1);
+            pub const MOTOR_REVOLUTIONS: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6091, 1);
 
             /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const SHAFT_REVOLUTIONS: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6091, 2);
+            pub const SHAFT_REVOLUTIONS: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6091, 2);
         }
 
         /// `0x6092` Feed constant.
@@ -16912,10 +17175,10 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6092, 0);
 
             /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO.
-            pub const FEED: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6092, 1);
+            pub const FEED: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6092, 1);
 
             /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub const SHAFT_REVOLUTIONS: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x6092, 2);
+            pub const SHAFT_REVOLUTIONS: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6092, 2);
         }
 
         /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -16935,11 +17198,11 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6099, 0);
 
             /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<SingleHires, u32, ReadWrite> =
+            pub const SPEED_DURING_SEARCH_FOR_SWITCH: Entry<SingleHires, u32, ReadWrite, RxTx> =
                 Entry::new(0x6099, 1);
 
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<SingleHires, u32, ReadWrite> =
+            pub const SPEED_DURING_SEARCH_FOR_ZERO: Entry<SingleHires, u32, ReadWrite, RxTx> =
                 Entry::new(0x6099, 2);
         }
 
@@ -16947,7 +17210,7 @@ pub mod single_hires {
         /// 34; 7.2.2, Tab. 35).
         ///
         /// How the drive gets faster and slower while it looks for the home position.
-        pub const HOMING_ACCELERATION: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x609A, 0);
+        pub const HOMING_ACCELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x609A, 0);
 
         /// `0x60A3:00` Profile jerk use. UINT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -16966,7 +17229,7 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
             /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub const PROFILE_JERK_1: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x60A4, 1);
+            pub const PROFILE_JERK_1: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x60A4, 1);
         }
 
         /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
@@ -16974,54 +17237,59 @@ pub mod single_hires {
         ///
         /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
         /// cyclic synchronous position mode.
-        pub const VELOCITY_OFFSET: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x60B1, 0);
+        pub const VELOCITY_OFFSET: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x60B1, 0);
 
         /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
-        pub const TORQUE_OFFSET: Entry<SingleHires, i16, ReadWrite> = Entry::new(0x60B2, 0);
+        pub const TORQUE_OFFSET: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x60B2, 0);
 
         /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Switches the touch probes on and says which edges of which signal they look for.
-        pub const TOUCH_PROBE_FUNCTION: Entry<SingleHires, TouchProbeFunction, ReadWrite> =
+        pub const TOUCH_PROBE_FUNCTION: Entry<SingleHires, TouchProbeFunction, ReadWrite, RxTx> =
             Entry::new(0x60B8, 0);
 
         /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// Which touch probes are on, and which edges they have seen.
-        pub const TOUCH_PROBE_STATUS: Entry<SingleHires, TouchProbeStatus, ReadOnly> = Entry::new(0x60B9, 0);
+        pub const TOUCH_PROBE_STATUS: Entry<SingleHires, TouchProbeStatus, ReadOnly, Tx> =
+            Entry::new(0x60B9, 0);
 
         /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 1 has seen.
-        pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<SingleHires, i32, ReadOnly> = Entry::new(0x60BA, 0);
+        pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BA, 0);
 
         /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 1 has seen.
-        pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<SingleHires, i32, ReadOnly> = Entry::new(0x60BB, 0);
+        pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BB, 0);
 
         /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 2 has seen.
-        pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<SingleHires, i32, ReadOnly> = Entry::new(0x60BC, 0);
+        pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BC, 0);
 
         /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 2 has seen.
-        pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<SingleHires, i32, ReadOnly> = Entry::new(0x60BD, 0);
+        pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BD, 0);
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<SingleHires, InterpolationSubModeSelect, ReadWrite> =
-            Entry::new(0x60C0, 0);
+        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<
+            SingleHires,
+            InterpolationSubModeSelect,
+            ReadWrite,
+            Rx,
+        > = Entry::new(0x60C0, 0);
 
         /// `0x60C1` Interpolation data record.
         ///
@@ -17038,7 +17306,7 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60C1, 0);
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const _1ST_SET_POINT: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x60C1, 1);
+            pub const _1ST_SET_POINT: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x60C1, 1);
         }
 
         /// `0x60C2` Interpolation time period.
@@ -17056,11 +17324,11 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<SingleHires, u8, ReadWrite> =
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<SingleHires, u8, ReadWrite, Rx> =
                 Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO.
-            pub const INTERPOLATION_TIME_INDEX: Entry<SingleHires, i8, ReadWrite> = Entry::new(0x60C2, 2);
+            pub const INTERPOLATION_TIME_INDEX: Entry<SingleHires, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60C4` Interpolation data configuration.
@@ -17118,13 +17386,13 @@ pub mod single_hires {
         /// 34; 7.2.2, Tab. 35).
         ///
         /// The greatest acceleration allowed, whatever is asked for.
-        pub const MAX_ACCELERATION: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x60C5, 0);
+        pub const MAX_ACCELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x60C5, 0);
 
         /// `0x60C6:00` Max deceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1, Tab.
         /// 34; 7.2.2, Tab. 35).
         ///
         /// The greatest deceleration allowed, whatever is asked for.
-        pub const MAX_DECELERATION: Entry<SingleHires, u32, ReadWrite> = Entry::new(0x60C6, 0);
+        pub const MAX_DECELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x60C6, 0);
 
         /// `0x60D0` Touch probe source.
         ///
@@ -17248,7 +17516,7 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60E4, 0);
 
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
-            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly> =
+            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> =
                 Entry::new(0x60E4, 1);
         }
 
@@ -17256,20 +17524,20 @@ pub mod single_hires {
         ///
         /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
         /// turns.
-        pub const POSITIONING_OPTION_CODE: Entry<SingleHires, PositioningOptionCode, ReadWrite> =
+        pub const POSITIONING_OPTION_CODE: Entry<SingleHires, PositioningOptionCode, ReadWrite, Rx> =
             Entry::new(0x60F2, 0);
 
         /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
-        pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly> = Entry::new(0x60F4, 0);
+        pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
-        pub const DIGITAL_INPUTS: Entry<SingleHires, DigitalInputs, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_INPUTS: Entry<SingleHires, DigitalInputs, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FE` Digital outputs.
         ///
@@ -17285,7 +17553,7 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60FE, 0);
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
-            pub const PHYSICAL_OUTPUTS: Entry<SingleHires, PhysicalOutputs, ReadWrite> =
+            pub const PHYSICAL_OUTPUTS: Entry<SingleHires, PhysicalOutputs, ReadWrite, Rx> =
                 Entry::new(0x60FE, 1);
         }
 
@@ -17294,7 +17562,7 @@ pub mod single_hires {
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
-        pub const TARGET_VELOCITY: Entry<SingleHires, i32, ReadWrite> = Entry::new(0x60FF, 0);
+        pub const TARGET_VELOCITY: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -18782,6 +19050,36 @@ pub mod single_hires {
         ];
     }
 
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeRxPdo1600 {}
+
+    impl FreePdo for FreeRxPdo1600 {
+        type Device = SingleHires;
+        type Direction = Rx;
+
+        const INDICES: &'static [u16] = &[0x1600];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 24 entries.
+    ///
+    /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeTxPdo1A00 {}
+
+    impl FreePdo for FreeTxPdo1A00 {
+        type Device = SingleHires;
+        type Direction = Tx;
+
+        const INDICES: &'static [u16] = &[0x1A00];
+        const MAX_BYTES: Option<u16> = None;
+        const MAX_ENTRIES: Option<u8> = Some(24);
+    }
+
     /// The outputs of the master with the PDOs assigned by default, 23 bytes.
     ///
     /// Source: 5.1.3, 7.1.
@@ -18906,6 +19204,41 @@ pub mod single_hires {
             mandatory: &[],
             exclusive: &[],
         };
+    }
+
+    impl BringUp for SingleHires {
+        const MAPS: bool = false;
+
+        const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Standard mapping.
+        ///
+        /// As delivered; 8 is the default of A541. The modes -1, 1, 3, 4, 6, 9 and 10 work with it, too.
+        ///
+        /// Source: 5.2.12, 7.1.
+        pub const STANDARD: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x08], "mode of operation")];
+
+        /// Interpolated position mode.
+        ///
+        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
+        pub const INTERPOLATED_POSITION: [Write; 1] =
+            [Write::new(Address::new(0x6060, 0), &[0x07], "mode of operation")];
+
+        /// Velocity mode.
+        ///
+        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
+        /// A226, A233 and A234, saved, and takes effect with a restart.
+        ///
+        /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
     }
 
     /// How the statusword shows the states, bit 7 first.

@@ -36,8 +36,9 @@ pub mod s300 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The S300.
@@ -68,17 +69,17 @@ pub mod s300 {
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly> = Entry::new(0x1001, 0);
+        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S300, i32, ReadOnly> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
-        pub const DRIVE_ERRORS: Entry<S300, i32, ReadOnly> = Entry::new(0x1003, 0);
+        pub const DRIVE_ERRORS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300" (3.5, 3.8, 3.9).
         ///
@@ -865,7 +866,7 @@ pub mod s300 {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -944,13 +945,13 @@ pub mod s300 {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
-        pub const DRIVE_WARNINGS: Entry<S300, i32, ReadOnly> = Entry::new(0x2000, 0);
+        pub const DRIVE_WARNINGS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
         ///
@@ -964,28 +965,28 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
-            pub const DPRVAR9: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 1);
+            pub const DPRVAR9: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
-            pub const DPRVAR10: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 2);
+            pub const DPRVAR10: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
-            pub const DPRVAR11: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 3);
+            pub const DPRVAR11: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
-            pub const DPRVAR12: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 4);
+            pub const DPRVAR12: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
-            pub const DPRVAR13: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 5);
+            pub const DPRVAR13: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
-            pub const DPRVAR14: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 6);
+            pub const DPRVAR14: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
-            pub const DPRVAR15: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 7);
+            pub const DPRVAR15: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
-            pub const DPRVAR16: Entry<S300, i32, ReadOnly> = Entry::new(0x2030, 8);
+            pub const DPRVAR16: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
         /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments (3.7.2).
@@ -993,7 +994,7 @@ pub mod s300 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
-        pub const POSITION_ACTUAL_VALUE_2: Entry<S300, i32, ReadOnly> = Entry::new(0x2050, 0);
+        pub const POSITION_ACTUAL_VALUE_2: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` EnDat 2.2 diagnostics.
         ///
@@ -1010,52 +1011,52 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 1);
+            pub const DIAGNOSTIC_VALUE_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 2);
+            pub const DIAGNOSTIC_VALUE_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 3);
+            pub const DIAGNOSTIC_VALUE_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 4);
+            pub const DIAGNOSTIC_VALUE_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 5);
+            pub const DIAGNOSTIC_VALUE_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 6);
+            pub const DIAGNOSTIC_VALUE_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 7);
+            pub const DIAGNOSTIC_VALUE_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 8);
+            pub const DIAGNOSTIC_VALUE_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 9);
+            pub const DIAGNOSTIC_VALUE_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 10);
+            pub const DIAGNOSTIC_VALUE_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 11);
+            pub const DIAGNOSTIC_VALUE_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 12);
+            pub const DIAGNOSTIC_VALUE_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 13);
+            pub const DIAGNOSTIC_VALUE_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 14);
+            pub const DIAGNOSTIC_VALUE_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 15);
+            pub const DIAGNOSTIC_VALUE_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S300, i16, ReadOnly> = Entry::new(0x2054, 16);
+            pub const DIAGNOSTIC_VALUE_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
         /// `0x2055` EnDat 2.2 additional information 1.
@@ -1073,52 +1074,52 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly> = Entry::new(0x2055, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
         }
 
         /// `0x2056` EnDat 2.2 additional information 2.
@@ -1136,52 +1137,52 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly> = Entry::new(0x2056, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1189,7 +1190,7 @@ pub mod s300 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -1203,51 +1204,51 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 1);
+            pub const DPRVAR1: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 2);
+            pub const DPRVAR2: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 3);
+            pub const DPRVAR3: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 4);
+            pub const DPRVAR4: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 5);
+            pub const DPRVAR5: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 6);
+            pub const DPRVAR6: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 7);
+            pub const DPRVAR7: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S300, i32, ReadWrite> = Entry::new(0x2090, 8);
+            pub const DPRVAR8: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
-        pub const LATCH_POSITION: Entry<S300, i32, ReadOnly> = Entry::new(0x20A0, 0);
+        pub const LATCH_POSITION: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
         ///
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
-        pub const LATCH_CONTROLWORD: Entry<S300, LatchControlword, ReadWrite> = Entry::new(0x20A4, 0);
+        pub const LATCH_CONTROLWORD: Entry<S300, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
-        pub const LATCH_STATUSWORD: Entry<S300, LatchStatusword, ReadOnly> = Entry::new(0x20A5, 0);
+        pub const LATCH_STATUSWORD: Entry<S300, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
-        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S300, i32, ReadWrite> = Entry::new(0x20B1, 0);
+        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
         ///
@@ -1261,43 +1262,43 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
-        pub const JOG_VELOCITY: Entry<S300, i32, ReadWrite> = Entry::new(0x2300, 0);
+        pub const JOG_VELOCITY: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
-        pub const DIGITAL_OUTPUTS: Entry<S300, DigitalOutputs, ReadWrite> = Entry::new(0x2302, 0);
+        pub const DIGITAL_OUTPUTS: Entry<S300, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
-        pub const MOTION_TASK_CONTROL_WORD: Entry<S300, i32, ReadWrite> = Entry::new(0x2303, 0);
+        pub const MOTION_TASK_CONTROL_WORD: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
-        pub const DPRVAR_1_LOW: Entry<S300, i16, ReadWrite> = Entry::new(0x2305, 0);
+        pub const DPRVAR_1_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
-        pub const DPRVAR_2_LOW: Entry<S300, i16, ReadWrite> = Entry::new(0x2306, 0);
+        pub const DPRVAR_2_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -1306,12 +1307,12 @@ pub mod s300 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
-        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S300, i16, ReadWrite> = Entry::new(0x2310, 0);
+        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
@@ -1325,48 +1326,48 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR9_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 1);
+            pub const DPRVAR9_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR10_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 2);
+            pub const DPRVAR10_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR11_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 3);
+            pub const DPRVAR11_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR12_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 4);
+            pub const DPRVAR12_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR13_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 5);
+            pub const DPRVAR13_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR14_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 6);
+            pub const DPRVAR14_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR15_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 7);
+            pub const DPRVAR15_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR16_LOWER_16_BITS: Entry<S300, i16, ReadOnly> = Entry::new(0x2350, 8);
+            pub const DPRVAR16_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
-        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly> = Entry::new(0x2351, 0);
+        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
-        pub const OPMODE_REQUEST: Entry<S300, u16, ReadWrite> = Entry::new(0x2352, 0);
+        pub const OPMODE_REQUEST: Entry<S300, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
-        pub const OPMODE_MESSAGE: Entry<S300, i16, ReadOnly> = Entry::new(0x2353, 0);
+        pub const OPMODE_MESSAGE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
         ///
@@ -1375,115 +1376,115 @@ pub mod s300 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
-        pub const ASCII_DATA: Entry<S300, i32, ReadWrite> = Entry::new(0x2355, 0);
+        pub const ASCII_DATA: Entry<S300, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor in the unit that is configured.
-        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S300, i16, ReadOnly> = Entry::new(0x3612, 0);
+        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
-        pub const ACTUAL_VELOCITY_VALUE: Entry<S300, i32, ReadOnly> = Entry::new(0x3618, 0);
+        pub const ACTUAL_VELOCITY_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
         ///
         /// Taken outside the bus cycle while the bus is idle.
-        pub const CONTROLWORD: Entry<S300, Controlword, ReadWrite> = Entry::new(0x6040, 0);
+        pub const CONTROLWORD: Entry<S300, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
         /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
         ///
         /// Updated outside the bus cycle while the bus is idle.
-        pub const STATUSWORD: Entry<S300, Statusword, ReadOnly> = Entry::new(0x6041, 0);
+        pub const STATUSWORD: Entry<S300, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S300, i32, ReadOnly> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position of the motor's encoder, or of the external one if that is set up for position control.
         ///
         /// Updated in each bus cycle. Recorded as PFB.
-        pub const POSITION_ACTUAL_VALUE_1: Entry<S300, i32, ReadOnly> = Entry::new(0x6063, 0);
+        pub const POSITION_ACTUAL_VALUE_1: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
         /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S300, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S300, i32, ReadOnly> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S300, i16, ReadWrite> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S300, i16, ReadOnly> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S300, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
 
         /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S300, i32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
 
         /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S300, i32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
 
         /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S300, i32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
 
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S300, i32, ReadWrite> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -1491,7 +1492,7 @@ pub mod s300 {
         /// along a line or a parabola.
         ///
         /// Taken in each bus cycle. Recorded as NEWPOS.
-        pub const POSITION_SETPOINT: Entry<S300, i32, ReadWrite> = Entry::new(0x60C1, 0);
+        pub const POSITION_SETPOINT: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x60C1, 0);
 
         /// `0x60C2` Interpolation time period.
         ///
@@ -1506,10 +1507,10 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite> = Entry::new(0x60C2, 2);
+            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -1517,26 +1518,26 @@ pub mod s300 {
         /// How far the position is from the one demanded.
         ///
         /// Updated in each bus cycle. Recorded as PE.
-        pub const INTERNAL_FOLLOWING_ERROR: Entry<S300, i32, ReadOnly> = Entry::new(0x60F4, 0);
+        pub const INTERNAL_FOLLOWING_ERROR: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
         /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S300, i32, ReadOnly> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
 
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
-        pub const DIGITAL_IO: Entry<S300, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S300, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -3914,6 +3915,36 @@ pub mod s300 {
         ];
     }
 
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes.
+    ///
+    /// Source: 3.6, 3.6.1.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeRxPdo1600 {}
+
+    impl FreePdo for FreeRxPdo1600 {
+        type Device = S300;
+        type Direction = Rx;
+
+        const INDICES: &'static [u16] = &[0x1600];
+        const MAX_BYTES: Option<u16> = Some(64);
+        const MAX_ENTRIES: Option<u8> = None;
+    }
+
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes.
+    ///
+    /// Source: 3.6, 3.6.1.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeTxPdo1A00 {}
+
+    impl FreePdo for FreeTxPdo1A00 {
+        type Device = S300;
+        type Direction = Tx;
+
+        const INDICES: &'static [u16] = &[0x1A00];
+        const MAX_BYTES: Option<u16> = Some(64);
+        const MAX_ENTRIES: Option<u8> = None;
+    }
+
     /// The outputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
@@ -4006,6 +4037,55 @@ pub mod s300 {
             mandatory: &[],
             exclusive: &[],
         };
+    }
+
+    impl BringUp for S300 {
+        const MAPS: bool = true;
+
+        const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Fixed mapping 0x1701.
+        ///
+        /// The way to select any other fixed mapping, too.
+        ///
+        /// Source: 3.5.
+        pub const POSITION: [Write; 3] = [
+            Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
+            Write::new(Address::new(0x1C12, 1), &[0x01, 0x17], "assign 0x1701"),
+            Write::new(Address::new(0x1C12, 0), &[0x01], "number of PDOs in 0x1C12"),
+        ];
+
+        /// Free mapping of set and actual position.
+        ///
+        /// Needs bit 16 of DRVCFG3.
+        ///
+        /// Cycle time: 2 ms.
+        ///
+        /// Source: 3.6.1.
+        pub const FREE_MAPPING: [Write; 17] = [
+            Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
+            Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),
+            Write::new(Address::new(0x1A00, 0), &[0x00], "clear the mapping of 0x1A00"),
+            Write::new(Address::new(0x1A00, 1), &[0x10, 0x00, 0x41, 0x60], "map Statusword"),
+            Write::new(Address::new(0x1A00, 2), &[0x20, 0x00, 0x63, 0x60], "map Position actual value 1"),
+            Write::new(Address::new(0x1A00, 0), &[0x02], "number of entries of 0x1A00"),
+            Write::new(Address::new(0x1600, 0), &[0x00], "clear the mapping of 0x1600"),
+            Write::new(Address::new(0x1600, 1), &[0x10, 0x00, 0x40, 0x60], "map Controlword"),
+            Write::new(Address::new(0x1600, 2), &[0x20, 0x00, 0xC1, 0x60], "map Position setpoint"),
+            Write::new(Address::new(0x1600, 0), &[0x02], "number of entries of 0x1600"),
+            Write::new(Address::new(0x1C12, 1), &[0x00, 0x16], "assign 0x1600"),
+            Write::new(Address::new(0x1C12, 0), &[0x01], "number of PDOs in 0x1C12"),
+            Write::new(Address::new(0x1C13, 1), &[0x00, 0x1A], "assign 0x1A00"),
+            Write::new(Address::new(0x1C13, 0), &[0x01], "number of PDOs in 0x1C13"),
+            Write::new(Address::new(0x6060, 0), &[0x01], "mode of operation"),
+            Write::new(Address::new(0x60C2, 1), &[0x02], "interpolation time period"),
+            Write::new(Address::new(0x60C2, 2), &[0xFD], "its power of ten in seconds"),
+        ];
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -5671,8 +5751,9 @@ pub mod s400 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The S400.
@@ -5703,17 +5784,17 @@ pub mod s400 {
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly> = Entry::new(0x1001, 0);
+        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S400, i32, ReadOnly> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
-        pub const DRIVE_ERRORS: Entry<S400, i32, ReadOnly> = Entry::new(0x1003, 0);
+        pub const DRIVE_ERRORS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400" (3.5, 3.8, 3.9).
         ///
@@ -6232,7 +6313,7 @@ pub mod s400 {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -6311,13 +6392,13 @@ pub mod s400 {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
-        pub const DRIVE_WARNINGS: Entry<S400, i32, ReadOnly> = Entry::new(0x2000, 0);
+        pub const DRIVE_WARNINGS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
         ///
@@ -6331,28 +6412,28 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
-            pub const DPRVAR9: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 1);
+            pub const DPRVAR9: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
-            pub const DPRVAR10: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 2);
+            pub const DPRVAR10: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
-            pub const DPRVAR11: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 3);
+            pub const DPRVAR11: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
-            pub const DPRVAR12: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 4);
+            pub const DPRVAR12: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
-            pub const DPRVAR13: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 5);
+            pub const DPRVAR13: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
-            pub const DPRVAR14: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 6);
+            pub const DPRVAR14: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
-            pub const DPRVAR15: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 7);
+            pub const DPRVAR15: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
-            pub const DPRVAR16: Entry<S400, i32, ReadOnly> = Entry::new(0x2030, 8);
+            pub const DPRVAR16: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
         /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments (3.7.2).
@@ -6360,7 +6441,7 @@ pub mod s400 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
-        pub const POSITION_ACTUAL_VALUE_2: Entry<S400, i32, ReadOnly> = Entry::new(0x2050, 0);
+        pub const POSITION_ACTUAL_VALUE_2: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` EnDat 2.2 diagnostics.
         ///
@@ -6377,52 +6458,52 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 1);
+            pub const DIAGNOSTIC_VALUE_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 2);
+            pub const DIAGNOSTIC_VALUE_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 3);
+            pub const DIAGNOSTIC_VALUE_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 4);
+            pub const DIAGNOSTIC_VALUE_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 5);
+            pub const DIAGNOSTIC_VALUE_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 6);
+            pub const DIAGNOSTIC_VALUE_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 7);
+            pub const DIAGNOSTIC_VALUE_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 8);
+            pub const DIAGNOSTIC_VALUE_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 9);
+            pub const DIAGNOSTIC_VALUE_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 10);
+            pub const DIAGNOSTIC_VALUE_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 11);
+            pub const DIAGNOSTIC_VALUE_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 12);
+            pub const DIAGNOSTIC_VALUE_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 13);
+            pub const DIAGNOSTIC_VALUE_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 14);
+            pub const DIAGNOSTIC_VALUE_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 15);
+            pub const DIAGNOSTIC_VALUE_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S400, i16, ReadOnly> = Entry::new(0x2054, 16);
+            pub const DIAGNOSTIC_VALUE_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
         /// `0x2055` EnDat 2.2 additional information 1.
@@ -6440,52 +6521,52 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly> = Entry::new(0x2055, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
         }
 
         /// `0x2056` EnDat 2.2 additional information 2.
@@ -6503,52 +6584,52 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly> = Entry::new(0x2056, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -6556,7 +6637,7 @@ pub mod s400 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -6570,51 +6651,51 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 1);
+            pub const DPRVAR1: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 2);
+            pub const DPRVAR2: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 3);
+            pub const DPRVAR3: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 4);
+            pub const DPRVAR4: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 5);
+            pub const DPRVAR5: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 6);
+            pub const DPRVAR6: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 7);
+            pub const DPRVAR7: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S400, i32, ReadWrite> = Entry::new(0x2090, 8);
+            pub const DPRVAR8: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
-        pub const LATCH_POSITION: Entry<S400, i32, ReadOnly> = Entry::new(0x20A0, 0);
+        pub const LATCH_POSITION: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
         ///
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
-        pub const LATCH_CONTROLWORD: Entry<S400, LatchControlword, ReadWrite> = Entry::new(0x20A4, 0);
+        pub const LATCH_CONTROLWORD: Entry<S400, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
-        pub const LATCH_STATUSWORD: Entry<S400, LatchStatusword, ReadOnly> = Entry::new(0x20A5, 0);
+        pub const LATCH_STATUSWORD: Entry<S400, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
-        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S400, i32, ReadWrite> = Entry::new(0x20B1, 0);
+        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
         ///
@@ -6628,43 +6709,43 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
-        pub const JOG_VELOCITY: Entry<S400, i32, ReadWrite> = Entry::new(0x2300, 0);
+        pub const JOG_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
-        pub const DIGITAL_OUTPUTS: Entry<S400, DigitalOutputs, ReadWrite> = Entry::new(0x2302, 0);
+        pub const DIGITAL_OUTPUTS: Entry<S400, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
-        pub const MOTION_TASK_CONTROL_WORD: Entry<S400, i32, ReadWrite> = Entry::new(0x2303, 0);
+        pub const MOTION_TASK_CONTROL_WORD: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
-        pub const DPRVAR_1_LOW: Entry<S400, i16, ReadWrite> = Entry::new(0x2305, 0);
+        pub const DPRVAR_1_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
-        pub const DPRVAR_2_LOW: Entry<S400, i16, ReadWrite> = Entry::new(0x2306, 0);
+        pub const DPRVAR_2_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -6673,12 +6754,12 @@ pub mod s400 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
-        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S400, i16, ReadWrite> = Entry::new(0x2310, 0);
+        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
@@ -6692,48 +6773,48 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR9_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 1);
+            pub const DPRVAR9_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR10_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 2);
+            pub const DPRVAR10_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR11_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 3);
+            pub const DPRVAR11_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR12_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 4);
+            pub const DPRVAR12_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR13_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 5);
+            pub const DPRVAR13_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR14_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 6);
+            pub const DPRVAR14_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR15_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 7);
+            pub const DPRVAR15_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR16_LOWER_16_BITS: Entry<S400, i16, ReadOnly> = Entry::new(0x2350, 8);
+            pub const DPRVAR16_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
-        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly> = Entry::new(0x2351, 0);
+        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
-        pub const OPMODE_REQUEST: Entry<S400, u16, ReadWrite> = Entry::new(0x2352, 0);
+        pub const OPMODE_REQUEST: Entry<S400, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
-        pub const OPMODE_MESSAGE: Entry<S400, i16, ReadOnly> = Entry::new(0x2353, 0);
+        pub const OPMODE_MESSAGE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
         ///
@@ -6742,115 +6823,115 @@ pub mod s400 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
-        pub const ASCII_DATA: Entry<S400, i32, ReadWrite> = Entry::new(0x2355, 0);
+        pub const ASCII_DATA: Entry<S400, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor in the unit that is configured.
-        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S400, i16, ReadOnly> = Entry::new(0x3612, 0);
+        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
-        pub const ACTUAL_VELOCITY_VALUE: Entry<S400, i32, ReadOnly> = Entry::new(0x3618, 0);
+        pub const ACTUAL_VELOCITY_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
         ///
         /// Taken outside the bus cycle while the bus is idle.
-        pub const CONTROLWORD: Entry<S400, Controlword, ReadWrite> = Entry::new(0x6040, 0);
+        pub const CONTROLWORD: Entry<S400, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
         /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
         ///
         /// Updated outside the bus cycle while the bus is idle.
-        pub const STATUSWORD: Entry<S400, Statusword, ReadOnly> = Entry::new(0x6041, 0);
+        pub const STATUSWORD: Entry<S400, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S400, i32, ReadOnly> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position of the motor's encoder, or of the external one if that is set up for position control.
         ///
         /// Updated in each bus cycle. Recorded as PFB.
-        pub const POSITION_ACTUAL_VALUE_1: Entry<S400, i32, ReadOnly> = Entry::new(0x6063, 0);
+        pub const POSITION_ACTUAL_VALUE_1: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
         /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S400, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S400, i16, ReadWrite> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S400, i16, ReadOnly> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S400, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
 
         /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S400, i32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
 
         /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S400, i32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
 
         /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S400, i32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
 
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S400, i32, ReadWrite> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -6858,7 +6939,7 @@ pub mod s400 {
         /// along a line or a parabola.
         ///
         /// Taken in each bus cycle. Recorded as NEWPOS.
-        pub const POSITION_SETPOINT: Entry<S400, i32, ReadWrite> = Entry::new(0x60C1, 0);
+        pub const POSITION_SETPOINT: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x60C1, 0);
 
         /// `0x60C2` Interpolation time period.
         ///
@@ -6873,10 +6954,10 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite> = Entry::new(0x60C2, 2);
+            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -6884,26 +6965,26 @@ pub mod s400 {
         /// How far the position is from the one demanded.
         ///
         /// Updated in each bus cycle. Recorded as PE.
-        pub const INTERNAL_FOLLOWING_ERROR: Entry<S400, i32, ReadOnly> = Entry::new(0x60F4, 0);
+        pub const INTERNAL_FOLLOWING_ERROR: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
         /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S400, i32, ReadOnly> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
 
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
-        pub const DIGITAL_IO: Entry<S400, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S400, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -8645,6 +8726,28 @@ pub mod s400 {
         };
     }
 
+    impl BringUp for S400 {
+        const MAPS: bool = false;
+
+        const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Fixed mapping 0x1701.
+        ///
+        /// The way to select any other fixed mapping, too.
+        ///
+        /// Source: 3.5.
+        pub const POSITION: [Write; 3] = [
+            Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
+            Write::new(Address::new(0x1C12, 1), &[0x01, 0x17], "assign 0x1701"),
+            Write::new(Address::new(0x1C12, 0), &[0x01], "number of PDOs in 0x1C12"),
+        ];
+    }
+
     /// How the statusword shows the states, bit 7 first.
     ///
     /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
@@ -10174,8 +10277,9 @@ pub mod s600 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The S600.
@@ -10206,17 +10310,17 @@ pub mod s600 {
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly> = Entry::new(0x1001, 0);
+        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S600, i32, ReadOnly> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
-        pub const DRIVE_ERRORS: Entry<S600, i32, ReadOnly> = Entry::new(0x1003, 0);
+        pub const DRIVE_ERRORS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600" (3.5, 3.8, 3.9).
         ///
@@ -10735,7 +10839,7 @@ pub mod s600 {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -10814,13 +10918,13 @@ pub mod s600 {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
-        pub const DRIVE_WARNINGS: Entry<S600, i32, ReadOnly> = Entry::new(0x2000, 0);
+        pub const DRIVE_WARNINGS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
         ///
@@ -10834,28 +10938,28 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
-            pub const DPRVAR9: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 1);
+            pub const DPRVAR9: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
-            pub const DPRVAR10: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 2);
+            pub const DPRVAR10: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
-            pub const DPRVAR11: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 3);
+            pub const DPRVAR11: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
-            pub const DPRVAR12: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 4);
+            pub const DPRVAR12: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
-            pub const DPRVAR13: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 5);
+            pub const DPRVAR13: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
-            pub const DPRVAR14: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 6);
+            pub const DPRVAR14: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
-            pub const DPRVAR15: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 7);
+            pub const DPRVAR15: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
-            pub const DPRVAR16: Entry<S600, i32, ReadOnly> = Entry::new(0x2030, 8);
+            pub const DPRVAR16: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
         /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments (3.7.2).
@@ -10863,7 +10967,7 @@ pub mod s600 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
-        pub const POSITION_ACTUAL_VALUE_2: Entry<S600, i32, ReadOnly> = Entry::new(0x2050, 0);
+        pub const POSITION_ACTUAL_VALUE_2: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` EnDat 2.2 diagnostics.
         ///
@@ -10880,52 +10984,52 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 1);
+            pub const DIAGNOSTIC_VALUE_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 2);
+            pub const DIAGNOSTIC_VALUE_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 3);
+            pub const DIAGNOSTIC_VALUE_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 4);
+            pub const DIAGNOSTIC_VALUE_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 5);
+            pub const DIAGNOSTIC_VALUE_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 6);
+            pub const DIAGNOSTIC_VALUE_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 7);
+            pub const DIAGNOSTIC_VALUE_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 8);
+            pub const DIAGNOSTIC_VALUE_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 9);
+            pub const DIAGNOSTIC_VALUE_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 10);
+            pub const DIAGNOSTIC_VALUE_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 11);
+            pub const DIAGNOSTIC_VALUE_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 12);
+            pub const DIAGNOSTIC_VALUE_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 13);
+            pub const DIAGNOSTIC_VALUE_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 14);
+            pub const DIAGNOSTIC_VALUE_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 15);
+            pub const DIAGNOSTIC_VALUE_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S600, i16, ReadOnly> = Entry::new(0x2054, 16);
+            pub const DIAGNOSTIC_VALUE_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
         /// `0x2055` EnDat 2.2 additional information 1.
@@ -10943,52 +11047,52 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly> = Entry::new(0x2055, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
         }
 
         /// `0x2056` EnDat 2.2 additional information 2.
@@ -11006,52 +11110,52 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly> = Entry::new(0x2056, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -11059,7 +11163,7 @@ pub mod s600 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -11073,51 +11177,51 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 1);
+            pub const DPRVAR1: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 2);
+            pub const DPRVAR2: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 3);
+            pub const DPRVAR3: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 4);
+            pub const DPRVAR4: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 5);
+            pub const DPRVAR5: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 6);
+            pub const DPRVAR6: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 7);
+            pub const DPRVAR7: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S600, i32, ReadWrite> = Entry::new(0x2090, 8);
+            pub const DPRVAR8: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
-        pub const LATCH_POSITION: Entry<S600, i32, ReadOnly> = Entry::new(0x20A0, 0);
+        pub const LATCH_POSITION: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
         ///
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
-        pub const LATCH_CONTROLWORD: Entry<S600, LatchControlword, ReadWrite> = Entry::new(0x20A4, 0);
+        pub const LATCH_CONTROLWORD: Entry<S600, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
-        pub const LATCH_STATUSWORD: Entry<S600, LatchStatusword, ReadOnly> = Entry::new(0x20A5, 0);
+        pub const LATCH_STATUSWORD: Entry<S600, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
-        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S600, i32, ReadWrite> = Entry::new(0x20B1, 0);
+        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
         ///
@@ -11131,43 +11235,43 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
-        pub const JOG_VELOCITY: Entry<S600, i32, ReadWrite> = Entry::new(0x2300, 0);
+        pub const JOG_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
-        pub const DIGITAL_OUTPUTS: Entry<S600, DigitalOutputs, ReadWrite> = Entry::new(0x2302, 0);
+        pub const DIGITAL_OUTPUTS: Entry<S600, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
-        pub const MOTION_TASK_CONTROL_WORD: Entry<S600, i32, ReadWrite> = Entry::new(0x2303, 0);
+        pub const MOTION_TASK_CONTROL_WORD: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
-        pub const DPRVAR_1_LOW: Entry<S600, i16, ReadWrite> = Entry::new(0x2305, 0);
+        pub const DPRVAR_1_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
-        pub const DPRVAR_2_LOW: Entry<S600, i16, ReadWrite> = Entry::new(0x2306, 0);
+        pub const DPRVAR_2_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -11176,12 +11280,12 @@ pub mod s600 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
-        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S600, i16, ReadWrite> = Entry::new(0x2310, 0);
+        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
@@ -11195,48 +11299,48 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR9_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 1);
+            pub const DPRVAR9_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR10_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 2);
+            pub const DPRVAR10_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR11_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 3);
+            pub const DPRVAR11_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR12_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 4);
+            pub const DPRVAR12_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR13_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 5);
+            pub const DPRVAR13_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR14_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 6);
+            pub const DPRVAR14_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR15_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 7);
+            pub const DPRVAR15_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR16_LOWER_16_BITS: Entry<S600, i16, ReadOnly> = Entry::new(0x2350, 8);
+            pub const DPRVAR16_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
-        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly> = Entry::new(0x2351, 0);
+        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
-        pub const OPMODE_REQUEST: Entry<S600, u16, ReadWrite> = Entry::new(0x2352, 0);
+        pub const OPMODE_REQUEST: Entry<S600, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
-        pub const OPMODE_MESSAGE: Entry<S600, i16, ReadOnly> = Entry::new(0x2353, 0);
+        pub const OPMODE_MESSAGE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
         ///
@@ -11245,115 +11349,115 @@ pub mod s600 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
-        pub const ASCII_DATA: Entry<S600, i32, ReadWrite> = Entry::new(0x2355, 0);
+        pub const ASCII_DATA: Entry<S600, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor in the unit that is configured.
-        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S600, i16, ReadOnly> = Entry::new(0x3612, 0);
+        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
-        pub const ACTUAL_VELOCITY_VALUE: Entry<S600, i32, ReadOnly> = Entry::new(0x3618, 0);
+        pub const ACTUAL_VELOCITY_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
         ///
         /// Taken outside the bus cycle while the bus is idle.
-        pub const CONTROLWORD: Entry<S600, Controlword, ReadWrite> = Entry::new(0x6040, 0);
+        pub const CONTROLWORD: Entry<S600, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
         /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
         ///
         /// Updated outside the bus cycle while the bus is idle.
-        pub const STATUSWORD: Entry<S600, Statusword, ReadOnly> = Entry::new(0x6041, 0);
+        pub const STATUSWORD: Entry<S600, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S600, i32, ReadOnly> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position of the motor's encoder, or of the external one if that is set up for position control.
         ///
         /// Updated in each bus cycle. Recorded as PFB.
-        pub const POSITION_ACTUAL_VALUE_1: Entry<S600, i32, ReadOnly> = Entry::new(0x6063, 0);
+        pub const POSITION_ACTUAL_VALUE_1: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
         /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S600, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S600, i16, ReadWrite> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S600, i16, ReadOnly> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S600, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
 
         /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S600, i32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
 
         /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S600, i32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
 
         /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S600, i32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
 
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S600, i32, ReadWrite> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -11361,7 +11465,7 @@ pub mod s600 {
         /// along a line or a parabola.
         ///
         /// Taken in each bus cycle. Recorded as NEWPOS.
-        pub const POSITION_SETPOINT: Entry<S600, i32, ReadWrite> = Entry::new(0x60C1, 0);
+        pub const POSITION_SETPOINT: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x60C1, 0);
 
         /// `0x60C2` Interpolation time period.
         ///
@@ -11376,10 +11480,10 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite> = Entry::new(0x60C2, 2);
+            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -11387,26 +11491,26 @@ pub mod s600 {
         /// How far the position is from the one demanded.
         ///
         /// Updated in each bus cycle. Recorded as PE.
-        pub const INTERNAL_FOLLOWING_ERROR: Entry<S600, i32, ReadOnly> = Entry::new(0x60F4, 0);
+        pub const INTERNAL_FOLLOWING_ERROR: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
         /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S600, i32, ReadOnly> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
 
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
-        pub const DIGITAL_IO: Entry<S600, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S600, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -13148,6 +13252,28 @@ pub mod s600 {
         };
     }
 
+    impl BringUp for S600 {
+        const MAPS: bool = false;
+
+        const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Fixed mapping 0x1701.
+        ///
+        /// The way to select any other fixed mapping, too.
+        ///
+        /// Source: 3.5.
+        pub const POSITION: [Write; 3] = [
+            Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
+            Write::new(Address::new(0x1C12, 1), &[0x01, 0x17], "assign 0x1701"),
+            Write::new(Address::new(0x1C12, 0), &[0x01], "number of PDOs in 0x1C12"),
+        ];
+    }
+
     /// How the statusword shows the states, bit 7 first.
     ///
     /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
@@ -14677,8 +14803,9 @@ pub mod s700 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
+    use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
 
     /// The S700.
@@ -14709,17 +14836,17 @@ pub mod s700 {
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly> = Entry::new(0x1001, 0);
+        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S700, i32, ReadOnly> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
-        pub const DRIVE_ERRORS: Entry<S700, i32, ReadOnly> = Entry::new(0x1003, 0);
+        pub const DRIVE_ERRORS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700" (3.5, 3.8, 3.9).
         ///
@@ -15506,7 +15633,7 @@ pub mod s700 {
             /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -15585,13 +15712,13 @@ pub mod s700 {
             /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
-        pub const DRIVE_WARNINGS: Entry<S700, i32, ReadOnly> = Entry::new(0x2000, 0);
+        pub const DRIVE_WARNINGS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
         ///
@@ -15605,28 +15732,28 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
-            pub const DPRVAR9: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 1);
+            pub const DPRVAR9: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
-            pub const DPRVAR10: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 2);
+            pub const DPRVAR10: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
-            pub const DPRVAR11: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 3);
+            pub const DPRVAR11: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
-            pub const DPRVAR12: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 4);
+            pub const DPRVAR12: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
-            pub const DPRVAR13: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 5);
+            pub const DPRVAR13: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
-            pub const DPRVAR14: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 6);
+            pub const DPRVAR14: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
-            pub const DPRVAR15: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 7);
+            pub const DPRVAR15: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
-            pub const DPRVAR16: Entry<S700, i32, ReadOnly> = Entry::new(0x2030, 8);
+            pub const DPRVAR16: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
         /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments (3.7.2).
@@ -15634,7 +15761,7 @@ pub mod s700 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
-        pub const POSITION_ACTUAL_VALUE_2: Entry<S700, i32, ReadOnly> = Entry::new(0x2050, 0);
+        pub const POSITION_ACTUAL_VALUE_2: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` EnDat 2.2 diagnostics.
         ///
@@ -15651,52 +15778,52 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 1);
+            pub const DIAGNOSTIC_VALUE_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 2);
+            pub const DIAGNOSTIC_VALUE_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 3);
+            pub const DIAGNOSTIC_VALUE_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 4);
+            pub const DIAGNOSTIC_VALUE_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 5);
+            pub const DIAGNOSTIC_VALUE_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 6);
+            pub const DIAGNOSTIC_VALUE_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 7);
+            pub const DIAGNOSTIC_VALUE_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 8);
+            pub const DIAGNOSTIC_VALUE_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 9);
+            pub const DIAGNOSTIC_VALUE_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 10);
+            pub const DIAGNOSTIC_VALUE_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 11);
+            pub const DIAGNOSTIC_VALUE_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 12);
+            pub const DIAGNOSTIC_VALUE_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 13);
+            pub const DIAGNOSTIC_VALUE_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 14);
+            pub const DIAGNOSTIC_VALUE_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 15);
+            pub const DIAGNOSTIC_VALUE_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S700, i16, ReadOnly> = Entry::new(0x2054, 16);
+            pub const DIAGNOSTIC_VALUE_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
         /// `0x2055` EnDat 2.2 additional information 1.
@@ -15714,52 +15841,52 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly> = Entry::new(0x2055, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
         }
 
         /// `0x2056` EnDat 2.2 additional information 2.
@@ -15777,52 +15904,52 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 1);
+            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 2);
+            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 3);
+            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 4);
+            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 5);
+            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 6);
+            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 7);
+            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 8);
+            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 9);
+            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 10);
+            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 11);
+            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 12);
+            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 13);
+            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 14);
+            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 15);
+            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly> = Entry::new(0x2056, 16);
+            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -15830,7 +15957,7 @@ pub mod s700 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -15844,51 +15971,51 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 1);
+            pub const DPRVAR1: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 2);
+            pub const DPRVAR2: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 3);
+            pub const DPRVAR3: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 4);
+            pub const DPRVAR4: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 5);
+            pub const DPRVAR5: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 6);
+            pub const DPRVAR6: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 7);
+            pub const DPRVAR7: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S700, i32, ReadWrite> = Entry::new(0x2090, 8);
+            pub const DPRVAR8: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
-        pub const LATCH_POSITION: Entry<S700, i32, ReadOnly> = Entry::new(0x20A0, 0);
+        pub const LATCH_POSITION: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
         ///
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
-        pub const LATCH_CONTROLWORD: Entry<S700, LatchControlword, ReadWrite> = Entry::new(0x20A4, 0);
+        pub const LATCH_CONTROLWORD: Entry<S700, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
-        pub const LATCH_STATUSWORD: Entry<S700, LatchStatusword, ReadOnly> = Entry::new(0x20A5, 0);
+        pub const LATCH_STATUSWORD: Entry<S700, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
-        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S700, i32, ReadWrite> = Entry::new(0x20B1, 0);
+        pub const DIGITAL_SOFTWARE_INPUTS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
         ///
@@ -15902,43 +16029,43 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
-        pub const JOG_VELOCITY: Entry<S700, i32, ReadWrite> = Entry::new(0x2300, 0);
+        pub const JOG_VELOCITY: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
-        pub const DIGITAL_OUTPUTS: Entry<S700, DigitalOutputs, ReadWrite> = Entry::new(0x2302, 0);
+        pub const DIGITAL_OUTPUTS: Entry<S700, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
-        pub const MOTION_TASK_CONTROL_WORD: Entry<S700, i32, ReadWrite> = Entry::new(0x2303, 0);
+        pub const MOTION_TASK_CONTROL_WORD: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
-        pub const DPRVAR_1_LOW: Entry<S700, i16, ReadWrite> = Entry::new(0x2305, 0);
+        pub const DPRVAR_1_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
-        pub const DPRVAR_2_LOW: Entry<S700, i16, ReadWrite> = Entry::new(0x2306, 0);
+        pub const DPRVAR_2_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -15947,12 +16074,12 @@ pub mod s700 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
-        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S700, i16, ReadWrite> = Entry::new(0x2310, 0);
+        pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
@@ -15966,48 +16093,48 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR9_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 1);
+            pub const DPRVAR9_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR10_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 2);
+            pub const DPRVAR10_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR11_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 3);
+            pub const DPRVAR11_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR12_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 4);
+            pub const DPRVAR12_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR13_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 5);
+            pub const DPRVAR13_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR14_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 6);
+            pub const DPRVAR14_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR15_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 7);
+            pub const DPRVAR15_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
-            pub const DPRVAR16_LOWER_16_BITS: Entry<S700, i16, ReadOnly> = Entry::new(0x2350, 8);
+            pub const DPRVAR16_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
-        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly> = Entry::new(0x2351, 0);
+        pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
-        pub const OPMODE_REQUEST: Entry<S700, u16, ReadWrite> = Entry::new(0x2352, 0);
+        pub const OPMODE_REQUEST: Entry<S700, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
-        pub const OPMODE_MESSAGE: Entry<S700, i16, ReadOnly> = Entry::new(0x2353, 0);
+        pub const OPMODE_MESSAGE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
         ///
@@ -16016,115 +16143,115 @@ pub mod s700 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
-        pub const ASCII_DATA: Entry<S700, i32, ReadWrite> = Entry::new(0x2355, 0);
+        pub const ASCII_DATA: Entry<S700, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor in the unit that is configured.
-        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S700, i16, ReadOnly> = Entry::new(0x3612, 0);
+        pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
-        pub const ACTUAL_VELOCITY_VALUE: Entry<S700, i32, ReadOnly> = Entry::new(0x3618, 0);
+        pub const ACTUAL_VELOCITY_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
         /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
         ///
         /// Taken outside the bus cycle while the bus is idle.
-        pub const CONTROLWORD: Entry<S700, Controlword, ReadWrite> = Entry::new(0x6040, 0);
+        pub const CONTROLWORD: Entry<S700, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
         /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
         ///
         /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
         ///
         /// Updated outside the bus cycle while the bus is idle.
-        pub const STATUSWORD: Entry<S700, Statusword, ReadOnly> = Entry::new(0x6041, 0);
+        pub const STATUSWORD: Entry<S700, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
 
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S700, i32, ReadOnly> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position of the motor's encoder, or of the external one if that is set up for position control.
         ///
         /// Updated in each bus cycle. Recorded as PFB.
-        pub const POSITION_ACTUAL_VALUE_1: Entry<S700, i32, ReadOnly> = Entry::new(0x6063, 0);
+        pub const POSITION_ACTUAL_VALUE_1: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
         /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S700, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S700, i32, ReadOnly> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S700, i16, ReadWrite> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S700, i16, ReadOnly> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S700, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
 
         /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S700, i32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
 
         /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S700, i32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
 
         /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S700, i32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
 
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S700, i32, ReadWrite> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -16132,7 +16259,7 @@ pub mod s700 {
         /// along a line or a parabola.
         ///
         /// Taken in each bus cycle. Recorded as NEWPOS.
-        pub const POSITION_SETPOINT: Entry<S700, i32, ReadWrite> = Entry::new(0x60C1, 0);
+        pub const POSITION_SETPOINT: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x60C1, 0);
 
         /// `0x60C2` Interpolation time period.
         ///
@@ -16147,10 +16274,10 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
             /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite> = Entry::new(0x60C2, 2);
+            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -16158,26 +16285,26 @@ pub mod s700 {
         /// How far the position is from the one demanded.
         ///
         /// Updated in each bus cycle. Recorded as PE.
-        pub const INTERNAL_FOLLOWING_ERROR: Entry<S700, i32, ReadOnly> = Entry::new(0x60F4, 0);
+        pub const INTERNAL_FOLLOWING_ERROR: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
         /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S700, i32, ReadOnly> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
 
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
-        pub const DIGITAL_IO: Entry<S700, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S700, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -18565,6 +18692,36 @@ pub mod s700 {
         ];
     }
 
+    /// `0x1600`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes.
+    ///
+    /// Source: 3.6, 3.6.1.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeRxPdo1600 {}
+
+    impl FreePdo for FreeRxPdo1600 {
+        type Device = S700;
+        type Direction = Rx;
+
+        const INDICES: &'static [u16] = &[0x1600];
+        const MAX_BYTES: Option<u16> = Some(64);
+        const MAX_ENTRIES: Option<u8> = None;
+    }
+
+    /// `0x1A00`, to be mapped freely by `#[derive(Pdo)]`. At most 64 bytes.
+    ///
+    /// Source: 3.6, 3.6.1.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum FreeTxPdo1A00 {}
+
+    impl FreePdo for FreeTxPdo1A00 {
+        type Device = S700;
+        type Direction = Tx;
+
+        const INDICES: &'static [u16] = &[0x1A00];
+        const MAX_BYTES: Option<u16> = Some(64);
+        const MAX_ENTRIES: Option<u8> = None;
+    }
+
     /// The outputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
@@ -18657,6 +18814,55 @@ pub mod s700 {
             mandatory: &[],
             exclusive: &[],
         };
+    }
+
+    impl BringUp for S700 {
+        const MAPS: bool = true;
+
+        const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+    }
+
+    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    pub mod configurations {
+        use super::*;
+
+        /// Fixed mapping 0x1701.
+        ///
+        /// The way to select any other fixed mapping, too.
+        ///
+        /// Source: 3.5.
+        pub const POSITION: [Write; 3] = [
+            Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
+            Write::new(Address::new(0x1C12, 1), &[0x01, 0x17], "assign 0x1701"),
+            Write::new(Address::new(0x1C12, 0), &[0x01], "number of PDOs in 0x1C12"),
+        ];
+
+        /// Free mapping of set and actual position.
+        ///
+        /// Needs bit 16 of DRVCFG3.
+        ///
+        /// Cycle time: 2 ms.
+        ///
+        /// Source: 3.6.1.
+        pub const FREE_MAPPING: [Write; 17] = [
+            Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
+            Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),
+            Write::new(Address::new(0x1A00, 0), &[0x00], "clear the mapping of 0x1A00"),
+            Write::new(Address::new(0x1A00, 1), &[0x10, 0x00, 0x41, 0x60], "map Statusword"),
+            Write::new(Address::new(0x1A00, 2), &[0x20, 0x00, 0x63, 0x60], "map Position actual value 1"),
+            Write::new(Address::new(0x1A00, 0), &[0x02], "number of entries of 0x1A00"),
+            Write::new(Address::new(0x1600, 0), &[0x00], "clear the mapping of 0x1600"),
+            Write::new(Address::new(0x1600, 1), &[0x10, 0x00, 0x40, 0x60], "map Controlword"),
+            Write::new(Address::new(0x1600, 2), &[0x20, 0x00, 0xC1, 0x60], "map Position setpoint"),
+            Write::new(Address::new(0x1600, 0), &[0x02], "number of entries of 0x1600"),
+            Write::new(Address::new(0x1C12, 1), &[0x00, 0x16], "assign 0x1600"),
+            Write::new(Address::new(0x1C12, 0), &[0x01], "number of PDOs in 0x1C12"),
+            Write::new(Address::new(0x1C13, 1), &[0x00, 0x1A], "assign 0x1A00"),
+            Write::new(Address::new(0x1C13, 0), &[0x01], "number of PDOs in 0x1C13"),
+            Write::new(Address::new(0x6060, 0), &[0x01], "mode of operation"),
+            Write::new(Address::new(0x60C2, 1), &[0x02], "interpolation time period"),
+            Write::new(Address::new(0x60C2, 2), &[0xFD], "its power of ten in seconds"),
+        ];
     }
 
     /// How the statusword shows the states, bit 7 first.

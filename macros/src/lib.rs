@@ -60,3 +60,32 @@ pub fn device(input: TokenStream) -> TokenStream {
 pub fn process_image(input: TokenStream) -> TokenStream {
     devc::derive::process_image(input.into()).into()
 }
+
+/// Makes a PDO of a struct whose fields are the entries that the user maps to it, for devices with a free mapping.
+///
+/// ```ignore
+/// use devc_runtime::pdo::Pdo;
+/// use s700::{Controlword, objects};
+///
+/// #[derive(Debug, Clone, Copy, PartialEq, Pdo)]
+/// #[pdo(mapping = s700::FreeRxPdo1600)]
+/// pub struct Setpoints {
+///     pub controlword: Controlword,
+///     #[pdo(objects::POSITION_SETPOINT)]
+///     pub position: i32,
+/// }
+/// ```
+///
+/// It gets `ProcessData`, `Pdo` with the mapping that the start-up list writes, and a view `SetpointsView`. A field
+/// without an entry has that of its name, in `objects` beside the free PDO. What does not compile: an entry that is
+/// not there, another device's, one of another type, one that cannot be mapped this way, more than the PDO takes.
+///
+/// | setting | meaning |
+/// |---|---|
+/// | `mapping = ..` | the free PDO, a type of the device's module |
+/// | `per_axis` | each axis has the PDO: entries are functions of the axis, called for each |
+/// | `runtime = ..` | the path of `devc-runtime`, by default `::devc_runtime` |
+#[proc_macro_derive(Pdo, attributes(pdo))]
+pub fn pdo(input: TokenStream) -> TokenStream {
+    devc::derive::own_pdo(input.into()).into()
+}

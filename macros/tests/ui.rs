@@ -13,4 +13,5 @@ fn the_derive_compiles_or_says_why_not() {
     cases.compile_fail("tests/ui/typo.rs");
     cases.compile_fail("tests/ui/wrong_access.rs");
     cases.compile_fail("tests/ui/forbidden_image.rs");
+    cases.compile_fail("tests/ui/forbidden_mapping.rs");
 }

@@ -9,6 +9,7 @@
 //! | [`sdo`] | abort codes, access rights, the table that answers for an address | CiA 301, SDO; ETG.1000.6, CoE |
 //! | [`coe`] | the mailbox: its messages, and a device's answers | ETG.1000.4, mailbox; ETG.1000.6, CoE |
 //! | [`pdo`] | what all process data structs have in common | CiA 301, PDO |
+//! | [`start_up`] | the writes that bring a device up | ETG.1020, start-up |
 //! | [`cia402`] | states, words, commands, transitions, modes | CiA 402, IEC 61800-7-201 |
 //! | [`error`] | error codes with name, register and text | CiA 301, emergency; CiA 402, error code |
 //! | [`mod@unit`] | raw values to physical ones and back | CiA 402, factor group |
@@ -25,6 +26,7 @@ pub mod error;
 pub mod object;
 pub mod pdo;
 pub mod sdo;
+pub mod start_up;
 mod text;
 pub mod unit;
 

@@ -5,6 +5,7 @@
 
 mod beneath;
 mod input;
+mod own_pdo;
 mod process_image;
 mod record;
 mod settings;
@@ -22,6 +23,7 @@ use crate::source::Loader;
 use crate::{Compilation, compile};
 use beneath::Beneath;
 use input::Input;
+pub use own_pdo::own_pdo;
 pub use process_image::process_image;
 
 /// Something that keeps the derive from going on, and the place in the user's code that it is about.

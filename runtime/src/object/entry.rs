@@ -5,9 +5,10 @@ use core::marker::PhantomData;
 
 use super::{Address, Marker, Readable, Value, Writable};
 use crate::bytes::WrongLength;
+use crate::pdo::Unmapped;
 use crate::sdo::Access;
 
-/// An entry of the dictionary of device `D`, of Rust type `T` (`str` for a visible string), with access `A`.
+/// An entry of the dictionary of device `D`, of Rust type `T` (`str` for a visible string), with access `A`, that may be in PDOs of direction `M`.
 ///
 /// It is no more than its address at run time. Generated code has one constant for each entry:
 ///
@@ -49,12 +50,12 @@ use crate::sdo::Access;
 /// # const TARGET_POSITION: Entry<C887, i32, ReadWrite> = Entry::new(0x607A, 0);
 /// let of_the_s700: Entry<S700, i32, ReadWrite> = TARGET_POSITION;
 /// ```
-pub struct Entry<D, T: ?Sized, A> {
+pub struct Entry<D, T: ?Sized, A, M = Unmapped> {
     address: Address,
-    checked: PhantomData<(D, A, T)>,
+    checked: PhantomData<(D, A, M, T)>,
 }
 
-impl<D, T: ?Sized, A> Entry<D, T, A> {
+impl<D, T: ?Sized, A, M> Entry<D, T, A, M> {
     /// The entry at `index`:`subindex`. Types are promised here and relied on everywhere else, so this is for
     /// generated code.
     pub const fn new(index: u16, subindex: u8) -> Self {
@@ -67,14 +68,14 @@ impl<D, T: ?Sized, A> Entry<D, T, A> {
     }
 }
 
-impl<D, T: ?Sized, A: Marker> Entry<D, T, A> {
+impl<D, T: ?Sized, A: Marker, M> Entry<D, T, A, M> {
     /// The access to the entry at run time, not counting that it may depend on the communication state.
     pub const fn access(self) -> Access {
         A::ACCESS
     }
 }
 
-impl<D, T: Value, A: Writable> Entry<D, T, A> {
+impl<D, T: Value, A: Writable, M> Entry<D, T, A, M> {
     /// The data of an SDO download of `value`.
     #[inline]
     pub fn encode(self, value: T) -> T::Bytes {
@@ -82,7 +83,7 @@ impl<D, T: Value, A: Writable> Entry<D, T, A> {
     }
 }
 
-impl<D, T: Value, A: Readable> Entry<D, T, A> {
+impl<D, T: Value, A: Readable, M> Entry<D, T, A, M> {
     /// The value in the data of an SDO upload.
     #[inline]
     pub fn decode(self, data: &[u8]) -> Result<T, WrongLength> {
@@ -90,7 +91,7 @@ impl<D, T: Value, A: Readable> Entry<D, T, A> {
     }
 }
 
-impl<D, A: Readable> Entry<D, str, A> {
+impl<D, A: Readable, M> Entry<D, str, A, M> {
     /// The text in the data of an SDO upload: up to the first zero byte, by which devices pad.
     /// An error says from where on the data is no UTF-8.
     pub fn decode(self, data: &[u8]) -> Result<&str, core::str::Utf8Error> {
@@ -99,29 +100,29 @@ impl<D, A: Readable> Entry<D, str, A> {
     }
 }
 
-impl<D, T: ?Sized, A> Clone for Entry<D, T, A> {
+impl<D, T: ?Sized, A, M> Clone for Entry<D, T, A, M> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<D, T: ?Sized, A> Copy for Entry<D, T, A> {}
+impl<D, T: ?Sized, A, M> Copy for Entry<D, T, A, M> {}
 
-impl<D, T: ?Sized, A> PartialEq for Entry<D, T, A> {
+impl<D, T: ?Sized, A, M> PartialEq for Entry<D, T, A, M> {
     fn eq(&self, other: &Self) -> bool {
         self.address == other.address
     }
 }
 
-impl<D, T: ?Sized, A> Eq for Entry<D, T, A> {}
+impl<D, T: ?Sized, A, M> Eq for Entry<D, T, A, M> {}
 
-impl<D, T: ?Sized, A> fmt::Debug for Entry<D, T, A> {
+impl<D, T: ?Sized, A, M> fmt::Debug for Entry<D, T, A, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Entry({})", self.address)
     }
 }
 
-impl<D, T: ?Sized, A> fmt::Display for Entry<D, T, A> {
+impl<D, T: ?Sized, A, M> fmt::Display for Entry<D, T, A, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.address.fmt(f)
     }

@@ -22,6 +22,9 @@ pub trait Value: Copy {
     /// Bytes that the value takes in an SDO.
     const SIZE: usize = <Self::Bytes as ByteArray>::LEN;
 
+    /// Bits that the value takes in process data.
+    const BITS: usize = 8 * Self::SIZE;
+
     /// The type's number in the dictionary.
     const DATA_TYPE: DataType;
 
@@ -66,6 +69,7 @@ little_endian! {
 /// One byte in an SDO; every byte but 0 is read as true, 1 is written.
 impl Value for bool {
     type Bytes = [u8; 1];
+    const BITS: usize = 1;
     const DATA_TYPE: DataType = DataType::BOOLEAN;
 
     #[inline]

@@ -19,12 +19,14 @@ mod in_place;
 mod mapping;
 #[cfg(not(feature = "ethercrab"))]
 mod no_ethercrab;
+mod own;
 pub mod place;
 
 pub use data::ProcessData;
 #[cfg(feature = "derive")]
-pub use devc_macros::ProcessImage;
+pub use devc_macros::{Pdo, ProcessImage};
 pub use direction::{Direction, Rx, Tx};
 pub use image::{Carries, ProcessImage, SameDevice, SameDirection, SyncManager, check_image, check_pdo};
 pub use in_place::{InPlace, View, ViewMut};
 pub use mapping::{MappedPdo, Mapping, Pdo};
+pub use own::{FreePdo, MapsTo, RxTx, Unmapped, check_axes, check_entry, mapped, own};

@@ -9,6 +9,7 @@ mod dictionary;
 mod images;
 mod information;
 mod memory;
+mod own;
 mod pdos;
 mod rebuild;
 mod same;

@@ -26,8 +26,9 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         use #runtime::error::{ErrorInfo, ErrorRange};
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{
-            Carries, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, SyncManager, Tx,
+            Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
         };
+        use #runtime::start_up::{AxisObjects, BringUp, Write};
         use #runtime::{Device, error};
         #device
         #axes
@@ -132,7 +133,12 @@ fn axes(scope: &Scope<'_>) -> TokenStream {
                 first.wrapping_add(shift.wrapping_mul(self as u16))
             }
 
-            const fn entry<T: ?Sized, A>(self, first: u16, shift: u16, subindex: u8) -> Entry<#marker, T, A> {
+            const fn entry<T: ?Sized, A, M>(
+                self,
+                first: u16,
+                shift: u16,
+                subindex: u8,
+            ) -> Entry<#marker, T, A, M> {
                 Entry::new(self.index(first, shift), subindex)
             }
         }

@@ -11,6 +11,7 @@ mod dictionary;
 mod doc;
 mod entry;
 mod errors;
+mod free;
 mod head;
 mod homing;
 mod images;
@@ -26,6 +27,7 @@ mod pdos;
 mod ranges;
 mod scope;
 mod slots;
+mod start_up;
 mod states;
 mod stored;
 mod sync_managers;
@@ -89,8 +91,10 @@ pub fn member(device: &Device, options: &Options) -> TokenStream {
         words::items(&scope),
         codes::items(&scope),
         pdos::items(&scope),
+        free::items(&scope),
         images::items(&scope),
         sync_managers::items(&scope),
+        start_up::items(&scope),
         states::items(&scope),
         commands::items(&scope),
         modes::items(&scope),

@@ -8,7 +8,7 @@ use super::entry;
 use super::literal::{distance, hex16, number};
 use super::names::{Names, shout, snake};
 use super::scope::Scope;
-use crate::model::{Access, Entry, Kind, Object};
+use crate::model::{Access, DataType, Entry, Kind, Mappable, Object};
 
 pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
     let mut names = Names::default();
@@ -60,16 +60,30 @@ fn constant(scope: &Scope<'_>, placed: &Placed<'_, Object>, entry: &Entry, name:
         Access::Rw => quote!(ReadWrite),
         Access::Const => quote!(Constant),
     };
+    let mapping = mapping(entry);
     match placed.shift.map(distance) {
         Some(shift) => quote! {
             #doc
-            pub const fn #name(axis: Axis) -> Entry<#marker, #value, #access> {
+            pub const fn #name(axis: Axis) -> Entry<#marker, #value, #access #mapping> {
                 axis.entry(#index, #shift, #subindex)
             }
         },
         None => quote! {
             #doc
-            pub const #name: Entry<#marker, #value, #access> = Entry::new(#index, #subindex);
+            pub const #name: Entry<#marker, #value, #access #mapping> = Entry::new(#index, #subindex);
         },
+    }
+}
+
+/// The direction of the PDOs that the entry can be in. A type in Rust of more bits than the entry has cannot say how
+/// many are mapped, so such an entry is in no own mapping.
+fn mapping(entry: &Entry) -> Option<TokenStream> {
+    let is_part = matches!(entry.data_type, DataType::Bits(bits) if bits > 1 && bits != 8);
+    match entry.pdo {
+        _ if is_part => None,
+        Mappable::None => None,
+        Mappable::Rx => Some(quote!(, Rx)),
+        Mappable::Tx => Some(quote!(, Tx)),
+        Mappable::RxTx => Some(quote!(, RxTx)),
     }
 }

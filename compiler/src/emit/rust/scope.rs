@@ -14,6 +14,8 @@ const RESERVED: &[&str] = &[
     "AlStatusCode",
     "Address",
     "Axis",
+    "AxisObjects",
+    "BringUp",
     "Carries",
     "Command",
     "Condition",
@@ -27,6 +29,7 @@ const RESERVED: &[&str] = &[
     "ErrorInfo",
     "ErrorRange",
     "Events",
+    "FreePdo",
     "HomingBits",
     "Inputs",
     "Machine",
@@ -50,6 +53,7 @@ const RESERVED: &[&str] = &[
     "Refusal",
     "Result",
     "Rx",
+    "RxTx",
     "State",
     "StatePatterns",
     "StateSet",
@@ -58,6 +62,7 @@ const RESERVED: &[&str] = &[
     "Tx",
     "UnknownState",
     "VendorCode",
+    "Write",
     "WriteOnly",
 ];
 

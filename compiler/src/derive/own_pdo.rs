@@ -1,0 +1,242 @@
+//! What `#[derive(Pdo)]` does: process data of a struct whose fields are entries mapped to a free PDO.
+//!
+//! The description is not read again: that an entry is there, is this device's, has the field's type and may be
+//! mapped is in the types of the device's module, and its limits are in constants.
+
+use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{format_ident, quote, quote_spanned};
+
+use super::record::{Field, Record};
+use super::settings::Settings;
+use super::{Fault, located};
+
+const EXAMPLE: &str =
+    "#[pdo(mapping = s700::FreeRxPdo1600)] pub struct Setpoints { pub controlword: Controlword }";
+
+/// Expands the derive on a struct whose fields are entries.
+pub fn own_pdo(input: TokenStream) -> TokenStream {
+    let pdo = Record::parse(input, "pdo", EXAMPLE).and_then(|record| OwnPdo::of(&record));
+    pdo.map_or_else(|fault| fault.tokens(), |pdo| pdo.tokens())
+}
+
+/// A PDO mapped by the user.
+struct OwnPdo {
+    name: Ident,
+    visibility: TokenStream,
+    /// The path of the runtime crate.
+    runtime: TokenStream,
+    /// The type of the free PDO.
+    free: TokenStream,
+    /// The type of the axes, if each has the PDO.
+    axis: Option<TokenStream>,
+    fields: Vec<Mapped>,
+}
+
+/// A field of it.
+struct Mapped {
+    name: Ident,
+    span: Span,
+    content: TokenStream,
+    /// The typed entry, an expression, in which there may be an `axis`.
+    entry: TokenStream,
+    /// The first bit.
+    offset: TokenStream,
+    /// The bit behind it.
+    end: TokenStream,
+}
+
+impl OwnPdo {
+    fn of(record: &Record) -> Result<Self, Fault> {
+        let settings = Settings::parse(&record.attributes, &["mapping", "per_axis", "runtime"])?;
+        let runtime = settings.get("runtime").cloned().unwrap_or_else(|| quote!(::devc_runtime));
+        let missing = || Fault::new(record.name.span(), format!("which PDO is mapped? Write `{EXAMPLE}`"));
+        let free = settings.get("mapping").cloned().ok_or_else(missing)?;
+        if record.fields.is_empty() {
+            return Err(Fault::new(record.name.span(), format!("nothing is mapped: expected `{EXAMPLE}`")));
+        }
+        let module = parent(&free);
+        let axis = settings.get("per_axis").map(|_| quote!(#module Axis));
+        let (mut fields, mut offset) = (Vec::new(), quote!(0));
+        for field in &record.fields {
+            let mapped = Mapped::of(field, &module, axis.is_some(), &offset, &runtime);
+            offset = mapped.end.clone();
+            fields.push(mapped);
+        }
+        Ok(Self {
+            name: record.name.clone(),
+            visibility: record.visibility.clone(),
+            runtime,
+            free,
+            axis,
+            fields,
+        })
+    }
+
+    fn tokens(&self) -> TokenStream {
+        let (data, pdo, checks, view) = (self.data(), self.pdo(), self.checks(), self.view());
+        quote!(#data #pdo #checks #view)
+    }
+
+    /// The bytes of all, an expression.
+    fn length(&self) -> TokenStream {
+        let end = self.fields.last().map(|field| &field.end);
+        quote!((#end).div_ceil(8))
+    }
+
+    fn data(&self) -> TokenStream {
+        let (name, runtime, free, length) = (&self.name, &self.runtime, &self.free, self.length());
+        let pack = self.fields.iter().map(|field| {
+            let (name, place) = (&field.name, field.place(runtime));
+            quote!(#runtime::pdo::place::store::<#place, LENGTH>(&mut image, self.#name);)
+        });
+        let unpack = self.fields.iter().map(|field| {
+            let (name, place) = (&field.name, field.place(runtime));
+            quote!(#name: #runtime::pdo::place::load::<#place, LENGTH>(&image))
+        });
+        quote! {
+            impl #runtime::pdo::ProcessData for #name {
+                type Device = <#free as #runtime::pdo::FreePdo>::Device;
+                type Direction = <#free as #runtime::pdo::FreePdo>::Direction;
+                type Image = [u8; #length];
+
+                #[inline]
+                fn pack(self) -> Self::Image {
+                    const LENGTH: usize = #length;
+                    let mut image = [0; LENGTH];
+                    #(#pack)*
+                    image
+                }
+
+                #[inline]
+                fn unpack(image: Self::Image) -> Self {
+                    const LENGTH: usize = #length;
+                    Self { #(#unpack),* }
+                }
+            }
+
+            #runtime::ethercrab!(#name, #length);
+        }
+    }
+
+    /// Index and mapping, on each axis if there are some.
+    fn pdo(&self) -> TokenStream {
+        let (name, runtime, free) = (&self.name, &self.runtime, &self.free);
+        let count = Literal::usize_unsuffixed(self.fields.len());
+        let rows = self.fields.iter().map(|field| {
+            let (content, entry, runtime) = (&field.content, &field.entry, located(runtime, field.span));
+            quote_spanned!(field.span=> #runtime::pdo::mapped::<#free, #content, _, _>(#entry))
+        });
+        let (axes, axis) = match &self.axis {
+            Some(axis) => (quote!(#axis::ALL.len()), quote!(let axis = #axis::ALL[number];)),
+            None => (quote!(1), TokenStream::new()),
+        };
+        quote! {
+            const _: () = {
+                const AXES: usize = #axes;
+                const TABLE: &[[#runtime::pdo::Mapping; #count]; AXES] = &{
+                    let none = #runtime::pdo::Mapping::from_word(0);
+                    let mut table = [[none; #count]; AXES];
+                    let mut number = 0;
+                    while number < AXES {
+                        #axis
+                        table[number] = [#(#rows),*];
+                        number += 1;
+                    }
+                    table
+                };
+
+                impl #runtime::pdo::Pdo for #name {
+                    const INDEX: u16 = <#free as #runtime::pdo::FreePdo>::INDICES[0];
+                    const MAPPING: &'static [#runtime::pdo::Mapping] = &TABLE[0];
+                    const ALL: &'static [#runtime::pdo::MappedPdo] =
+                        &#runtime::pdo::own::<#free, #count, AXES>(TABLE);
+                }
+            };
+        }
+    }
+
+    /// What is too much, each at the field with which it is.
+    fn checks(&self) -> TokenStream {
+        let (runtime, free) = (&self.runtime, &self.free);
+        let of_fields = (1_usize..).zip(&self.fields).map(|(number, field)| {
+            let (end, number) = (&field.end, Literal::usize_unsuffixed(number));
+            let runtime = located(runtime, field.span);
+            quote_spanned! {field.span=>
+                const _: () = #runtime::pdo::check_entry::<#free>(#number, #end);
+            }
+        });
+        let axes = match &self.axis {
+            Some(axis) => quote!(#axis::ALL.len()),
+            None => quote!(1),
+        };
+        let runtime = located(runtime, self.name.span());
+        let whole = quote_spanned! {self.name.span()=>
+            const _: () = #runtime::pdo::check_axes::<#free>(#axes);
+        };
+        quote!(#(#of_fields)* #whole)
+    }
+
+    fn view(&self) -> TokenStream {
+        let (name, runtime, visibility, length) =
+            (&self.name, &self.runtime, &self.visibility, self.length());
+        let view = format_ident!("{name}View");
+        let lines = self.fields.iter().map(|field| {
+            let (name, content, offset) = (&field.name, &field.content, &field.offset);
+            let setter = format_ident!("set_{}", name.to_string().trim_start_matches("r#"));
+            quote!(#name, #setter: #content => #offset, <#content as #runtime::object::Value>::BITS;)
+        });
+        quote! {
+            #runtime::view! {
+                #visibility #view of #name, #length;
+                #(#lines)*
+            }
+        }
+    }
+}
+
+impl Mapped {
+    fn of(
+        field: &Field,
+        module: &TokenStream,
+        per_axis: bool,
+        offset: &TokenStream,
+        runtime: &TokenStream,
+    ) -> Self {
+        let (name, content) = (field.name.clone(), field.content.clone());
+        let entry = match field.attributes.first() {
+            Some(entry) => entry.clone(),
+            None => {
+                let id = name.to_string();
+                let id = id.trim_start_matches("r#");
+                let id = if per_axis { id.to_owned() } else { id.to_ascii_uppercase() };
+                let constant = Ident::new(&id, name.span());
+                quote!(#module objects::#constant)
+            }
+        };
+        let entry = if per_axis && is_function(&entry) { quote!(#entry(axis)) } else { entry };
+        let end = quote!(#offset + <#content as #runtime::object::Value>::BITS);
+        Self { span: field.span(), name, content, entry, offset: offset.clone(), end }
+    }
+
+    /// Type, first bit and number of bits, as generic arguments.
+    fn place(&self, runtime: &TokenStream) -> TokenStream {
+        let (content, offset) = (&self.content, &self.offset);
+        quote!(#content, { #offset }, { <#content as #runtime::object::Value>::BITS })
+    }
+}
+
+/// The path of what a type is in, with the colons behind it; nothing if it is named alone.
+fn parent(path: &TokenStream) -> TokenStream {
+    let tokens: Vec<TokenTree> = path.clone().into_iter().collect();
+    let length = tokens.len().saturating_sub(1);
+    tokens.into_iter().take(length).collect()
+}
+
+/// Whether a path names a function: constants are in capitals, and what is called has its arguments already.
+fn is_function(path: &TokenStream) -> bool {
+    match path.clone().into_iter().last() {
+        Some(TokenTree::Ident(name)) => name.to_string().chars().any(char::is_lowercase),
+        Some(TokenTree::Group(group)) => group.delimiter() != Delimiter::Parenthesis,
+        _ => false,
+    }
+}

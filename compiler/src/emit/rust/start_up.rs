@@ -1,0 +1,83 @@
+//! Bring-up: what of the device bears on it, and the start-up list of each configuration that is described.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::axes;
+use super::doc::{Doc, sentence};
+use super::literal::{hex8, hex16, number};
+use super::names::{Names, shout};
+use super::scope::Scope;
+use crate::model::{Configuration, Index, SdoWrite};
+
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    let marker = &scope.marker;
+    let maps = scope.device.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_config);
+    let objects = scope.device.axes.iter().map(|axis| {
+        let (mode, cycle) = (on_axis(scope, 0x6060, axis.number), on_axis(scope, 0x60C2, axis.number));
+        quote!(AxisObjects { mode: #mode, cycle: #cycle })
+    });
+    let configurations = (!scope.device.configurations.is_empty()).then(|| configurations(scope));
+    quote! {
+        impl BringUp for #marker {
+            const MAPS: bool = #maps;
+            const AXES: &'static [AxisObjects] = &[#(#objects),*];
+        }
+
+        #configurations
+    }
+}
+
+/// Where an object of the first axis is on another, if it does anything there.
+fn on_axis(scope: &Scope<'_>, first: u16, axis: u8) -> TokenStream {
+    let shift = axes::shift(scope.device, Index(first)).unwrap_or(0);
+    let index = shift.checked_mul(axis.into()).and_then(|distance| first.checked_add(distance)).map(Index);
+    let object = index.and_then(|index| scope.device.object(index)).filter(|object| object.functional);
+    match object.map(|object| hex16(object.index.0)) {
+        Some(index) => quote!(Some(#index)),
+        None => quote!(None),
+    }
+}
+
+fn configurations(scope: &Scope<'_>) -> TokenStream {
+    let mut names = Names::default();
+    let lists = scope.device.configurations.iter().map(|configuration| {
+        let name = names.claim(&shout(&configuration.id));
+        list(scope, configuration, &name)
+    });
+    quote! {
+        /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+        pub mod configurations {
+            use super::*;
+            #(#lists)*
+        }
+    }
+}
+
+fn list(scope: &Scope<'_>, configuration: &Configuration, name: &proc_macro2::Ident) -> TokenStream {
+    let doc = Doc::new(sentence(&configuration.name))
+        .maybe(configuration.about.as_deref())
+        .text(&configuration.cycle_ns.map(cycle).unwrap_or_default())
+        .source(configuration.source.as_ref(), scope.device);
+    let count = number(configuration.startup.len());
+    let writes = configuration.startup.iter().map(write);
+    quote! {
+        #doc
+        pub const #name: [Write; #count] = [#(#writes),*];
+    }
+}
+
+fn cycle(ns: u64) -> String {
+    if ns.is_multiple_of(1_000_000) {
+        format!("Cycle time: {} ms.", ns / 1_000_000)
+    } else {
+        format!("Cycle time: {} µs.", ns / 1_000)
+    }
+}
+
+fn write(write: &SdoWrite) -> TokenStream {
+    let (index, subindex) = (hex16(write.address.index.0), number(write.address.subindex));
+    let data = write.data.iter().map(|byte| hex8(*byte));
+    let what = &write.comment;
+    quote!(Write::new(Address::new(#index, #subindex), &[#(#data),*], #what))
+}

@@ -1,0 +1,262 @@
+//! Bring-up: what a master writes through the mailbox before it goes to Safe-Operational, as constant data.
+//!
+//! The order is that of ETG.1020: assignments are cleared before mappings change, and a count is written after what
+//! it counts. What the device does not let a master write is not in a list.
+
+use core::fmt;
+
+use crate::Device;
+use crate::object::Address;
+use crate::pdo::{Carries, Direction, MappedPdo, ProcessImage, Rx, Tx};
+
+/// A write through the mailbox: an SDO download in Pre-Operational.
+///
+/// ```
+/// use devc_runtime::object::Address;
+/// use devc_runtime::start_up::Write;
+///
+/// const CLEAR: Write = Write::new(Address::new(0x1C12, 0), &[0], "clear the assignment");
+/// assert_eq!(CLEAR.data(), [0]);
+/// assert_eq!(CLEAR.to_string(), "0x1C12:00 = 0x00, clear the assignment");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Write {
+    /// Where to.
+    pub address: Address,
+    /// What for.
+    pub what: &'static str,
+    data: [u8; 4],
+    length: usize,
+}
+
+impl Write {
+    /// A write of the first four bytes of the data, as they travel.
+    pub const fn new(address: Address, data: &[u8], what: &'static str) -> Self {
+        let mut write = Self { address, what, data: [0; 4], length: 0 };
+        let (mut places, mut bytes): (&mut [u8], _) = (&mut write.data, data);
+        while let (Some((place, others)), Some((byte, rest))) =
+            (places.split_first_mut(), bytes.split_first())
+        {
+            *place = *byte;
+            write.length += 1;
+            (places, bytes) = (others, rest);
+        }
+        write
+    }
+
+    /// The data, as it travels: little-endian.
+    pub const fn data(&self) -> &[u8] {
+        match self.data.split_at_checked(self.length) {
+            Some((data, _)) => data,
+            None => &[],
+        }
+    }
+}
+
+impl fmt::Display for Write {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = 0x", self.address)?;
+        for byte in self.data().iter().rev() {
+            write!(f, "{byte:02X}")?;
+        }
+        write!(f, ", {}", self.what)
+    }
+}
+
+/// What of a device bears on its bring-up.
+pub trait BringUp: Device {
+    /// Whether a master may write mapping objects.
+    const MAPS: bool;
+    /// The objects of each axis that does something with them.
+    const AXES: &'static [AxisObjects];
+}
+
+/// The objects of an axis that are written once, before it is run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AxisObjects {
+    /// Modes of operation, 0x6060 on the first axis.
+    pub mode: Option<u16>,
+    /// Interpolation time period, 0x60C2 on the first axis.
+    pub cycle: Option<u16>,
+}
+
+/// What a master chooses: process data, and if need be mode and cycle time. The list follows from it, while the code
+/// is compiled:
+///
+/// ```ignore
+/// const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().mode(8).cycle_ns::<2_000_000>();
+/// const LIST: [Write; CHOICE.len()] = CHOICE.writes();
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StartUp {
+    outputs: Option<&'static [MappedPdo]>,
+    inputs: Option<&'static [MappedPdo]>,
+    maps: bool,
+    axes: &'static [AxisObjects],
+    mode: Option<i8>,
+    /// 0x60C2: a count of units of 10 to the power of the other, in seconds.
+    cycle: Option<(u8, i8)>,
+}
+
+impl StartUp {
+    /// The process data of both directions.
+    pub const fn of<O, I>() -> Self
+    where
+        O: ProcessImage<Direction = Rx>,
+        I: ProcessImage<Direction = Tx, Device = O::Device>,
+        O::Device: BringUp + Carries<Rx> + Carries<Tx>,
+    {
+        let outputs = if <O::Device as Carries<Rx>>::SYNC_MANAGER.assignable { Some(O::PDOS) } else { None };
+        let inputs = if <O::Device as Carries<Tx>>::SYNC_MANAGER.assignable { Some(I::PDOS) } else { None };
+        let (maps, axes) = (<O::Device as BringUp>::MAPS, <O::Device as BringUp>::AXES);
+        Self { outputs, inputs, maps, axes, mode: None, cycle: None }
+    }
+
+    /// With a mode of operation for each axis that has one.
+    pub const fn mode(mut self, mode: i8) -> Self {
+        self.mode = Some(mode);
+        self
+    }
+
+    /// With a cycle time in nanoseconds, for each axis that has one. 0x60C2 counts up to 255 of a power of ten of a
+    /// second: a time that it cannot hold does not compile.
+    pub const fn cycle_ns<const NS: u64>(mut self) -> Self {
+        self.cycle = Some(const { period(NS) });
+        self
+    }
+
+    /// The number of writes.
+    pub const fn len(&self) -> usize {
+        self.list::<0>(true).length
+    }
+
+    /// Whether there is nothing to be written.
+    pub const fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The writes, in order; `N` is [`len`](Self::len).
+    pub const fn writes<const N: usize>(&self) -> [Write; N] {
+        self.list(true).writes
+    }
+
+    /// The number of values to read back.
+    pub const fn verify_len(&self) -> usize {
+        self.list::<0>(false).length
+    }
+
+    /// What is there once all is written, to be read back: the writes without those that later ones supersede; `N` is
+    /// [`verify_len`](Self::verify_len).
+    pub const fn verify<const N: usize>(&self) -> [Write; N] {
+        self.list(false).writes
+    }
+
+    const fn list<const N: usize>(&self, clears: bool) -> List<N> {
+        let assignments = [(Rx::ASSIGNMENT, self.outputs), (Tx::ASSIGNMENT, self.inputs)];
+        let [(outputs, output_pdos), (inputs, input_pdos)] = assignments;
+        let mut list = List::new(clears);
+        if output_pdos.is_some() {
+            list = list.clear(outputs, "clear the assignment of outputs");
+        }
+        if input_pdos.is_some() {
+            list = list.clear(inputs, "clear the assignment of inputs");
+        }
+        if self.maps {
+            list = list.mappings(input_pdos).mappings(output_pdos);
+        }
+        list = list.assignment(outputs, output_pdos).assignment(inputs, input_pdos);
+        let mut axes = self.axes;
+        while let Some((axis, rest)) = axes.split_first() {
+            list = list.axis(axis, self.mode, self.cycle);
+            axes = rest;
+        }
+        list
+    }
+}
+
+/// The count and the power of ten in seconds: the largest unit in which the time is a whole number.
+const fn period(ns: u64) -> (u8, i8) {
+    let (mut count, mut exponent) = (ns, -9);
+    while count != 0 && count.is_multiple_of(10) && exponent < -3 {
+        count /= 10;
+        exponent += 1;
+    }
+    assert!(count != 0 && count <= 255, "the cycle time is not up to 255 of a power of ten of a second");
+    (count as u8, exponent)
+}
+
+/// A list that is being made: those that do not fit are only counted.
+struct List<const N: usize> {
+    writes: [Write; N],
+    length: usize,
+    /// Whether what is written only to be written again belongs to it.
+    clears: bool,
+}
+
+impl<const N: usize> List<N> {
+    const fn new(clears: bool) -> Self {
+        Self { writes: [Write::new(Address::new(0, 0), &[], ""); N], length: 0, clears }
+    }
+
+    const fn write(mut self, index: u16, subindex: u8, data: &[u8], what: &'static str) -> Self {
+        if let Some((_, rest)) = self.writes.split_at_mut_checked(self.length)
+            && let Some(place) = rest.first_mut()
+        {
+            *place = Write::new(Address::new(index, subindex), data, what);
+        }
+        self.length += 1;
+        self
+    }
+
+    const fn clear(self, index: u16, what: &'static str) -> Self {
+        if self.clears { self.write(index, 0, &[0], what) } else { self }
+    }
+
+    /// The mappings that are the user's own.
+    const fn mappings(mut self, pdos: Option<&'static [MappedPdo]>) -> Self {
+        let mut pdos = match pdos {
+            Some(pdos) => pdos,
+            None => &[],
+        };
+        while let Some((pdo, rest)) = pdos.split_first() {
+            if pdo.is_own {
+                self = self.mapping(pdo);
+            }
+            pdos = rest;
+        }
+        self
+    }
+
+    const fn mapping(self, pdo: &MappedPdo) -> Self {
+        let mut list = self.clear(pdo.index, "clear the mapping");
+        let (mut entries, mut subindex) = (pdo.mapping, 0);
+        while let Some((entry, rest)) = entries.split_first() {
+            subindex += 1;
+            list = list.write(pdo.index, subindex, &entry.word().to_le_bytes(), "map an entry");
+            entries = rest;
+        }
+        list.write(pdo.index, 0, &[subindex], "number of entries")
+    }
+
+    const fn assignment(mut self, index: u16, pdos: Option<&'static [MappedPdo]>) -> Self {
+        let Some(mut pdos) = pdos else { return self };
+        let mut subindex = 0;
+        while let Some((pdo, rest)) = pdos.split_first() {
+            subindex += 1;
+            self = self.write(index, subindex, &pdo.index.to_le_bytes(), "assign a PDO");
+            pdos = rest;
+        }
+        self.write(index, 0, &[subindex], "number of PDOs")
+    }
+
+    const fn axis(mut self, axis: &AxisObjects, mode: Option<i8>, cycle: Option<(u8, i8)>) -> Self {
+        if let (Some(index), Some(mode)) = (axis.mode, mode) {
+            self = self.write(index, 0, &mode.to_le_bytes(), "mode of operation");
+        }
+        if let (Some(index), Some((count, exponent))) = (axis.cycle, cycle) {
+            self = self.write(index, 1, &[count], "interpolation time period");
+            self = self.write(index, 2, &exponent.to_le_bytes(), "its power of ten in seconds");
+        }
+        self
+    }
+}

@@ -1,0 +1,122 @@
+//! Own mappings and bring-up, against the example of the S700's manual and the lists that the description derives.
+
+use devc_generated::pmc_sc6::double;
+use devc_generated::s700::s700::{self, Controlword, Statusword, objects};
+use devc_runtime::pdo::{InPlace, Pdo, ProcessData, ProcessImage};
+use devc_runtime::start_up::{StartUp, Write};
+use devc_tests::manual::{rows, s700::Startup};
+
+#[derive(Debug, Clone, Copy, PartialEq, Pdo)]
+#[pdo(mapping = s700::FreeRxPdo1600)]
+pub(crate) struct Setpoints {
+    pub(crate) controlword: Controlword,
+    #[pdo(objects::POSITION_SETPOINT)]
+    pub(crate) position: i32,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Pdo)]
+#[pdo(mapping = s700::FreeTxPdo1A00)]
+pub(crate) struct ActualValues {
+    pub(crate) statusword: Statusword,
+    pub(crate) position_actual_value_1: i32,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, ProcessImage)]
+pub(crate) struct Outputs {
+    pub(crate) setpoints: Setpoints,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, ProcessImage)]
+pub(crate) struct Inputs {
+    pub(crate) actual_values: ActualValues,
+}
+
+/// One for each axis of the double-axis drive.
+#[derive(Debug, Clone, Copy, PartialEq, Pdo)]
+#[pdo(mapping = double::FreeRxPdo1600, per_axis)]
+pub(crate) struct Velocity {
+    pub(crate) controlword: double::Controlword,
+    pub(crate) modes_of_operation: i8,
+    #[pdo(double::objects::vl_target_velocity)]
+    pub(crate) velocity: i16,
+}
+
+/// 3.6.1: interpolated position mode, 2 ms.
+const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().mode(1).cycle_ns::<2_000_000>();
+const LIST: [Write; CHOICE.len()] = CHOICE.writes();
+const VERIFY: [Write; CHOICE.verify_len()] = CHOICE.verify();
+
+fn bytes(list: &[Write]) -> Vec<(u16, u8, Vec<u8>)> {
+    list.iter().map(|write| (write.address.index, write.address.subindex, write.data().to_vec())).collect()
+}
+
+#[test]
+fn the_list_is_the_example_of_the_manual_byte_for_byte() {
+    let example: Vec<_> = rows::<Startup>()
+        .expect("the table is whole")
+        .into_iter()
+        .map(|row| (row.index, row.sub, row.value))
+        .collect();
+    let list: Vec<_> = LIST
+        .iter()
+        .map(|write| {
+            let number = write.data().iter().rev().fold(0, |high, byte| high << 8 | u32::from(*byte));
+            (write.address.index, write.address.subindex, number)
+        })
+        .collect();
+    assert_eq!(list, example);
+    assert_eq!(bytes(&LIST), bytes(&s700::configurations::FREE_MAPPING));
+}
+
+#[test]
+fn what_is_read_back_is_what_was_written_last() {
+    let mut last: Vec<Write> = Vec::new();
+    for write in LIST {
+        last.retain(|other| other.address != write.address);
+        last.push(write);
+    }
+    assert_eq!(bytes(&VERIFY), bytes(&last));
+}
+
+/// What 0x60C2 gets: the count and the power of ten.
+macro_rules! period {
+    ($ns:literal) => {{
+        const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().cycle_ns::<$ns>();
+        let list: [Write; CHOICE.len()] = CHOICE.writes();
+        let [.., count, exponent] = list.as_slice() else { panic!("there are two writes") };
+        (count.data()[0], exponent.data()[0] as i8)
+    }};
+}
+
+#[test]
+fn a_cycle_time_is_counted_in_the_largest_unit_that_fits() {
+    assert_eq!(period!(1_000_000), (1, -3));
+    assert_eq!(period!(250_000), (25, -5));
+    assert_eq!(period!(125_000), (125, -6));
+    assert_eq!(period!(200_000_000), (200, -3));
+}
+
+#[test]
+fn an_own_mapping_packs_its_entries_in_a_row() {
+    assert_eq!((Setpoints::INDEX, Setpoints::LEN, Outputs::LEN), (0x1600, 6, 6));
+    let setpoints = Setpoints { controlword: Controlword(0x0201), position: 0x0605_0403 };
+    assert_eq!(setpoints.pack(), [1, 2, 3, 4, 5, 6]);
+    assert_eq!(Setpoints::unpack([1, 2, 3, 4, 5, 6]), setpoints);
+    let mut frame = [0; 6];
+    Setpoints::view(&mut frame).set_position(0x0605_0403);
+    assert_eq!(frame, [0, 0, 3, 4, 5, 6]);
+    let mut view = OutputsView(&mut frame);
+    view.setpoints_mut().set_controlword(Controlword(0x0201));
+    assert_eq!(frame, Outputs { setpoints }.pack());
+}
+
+#[test]
+fn each_axis_has_the_mapping_of_its_own_objects() {
+    let words = |axis: usize| -> Vec<u32> {
+        Velocity::ALL[axis].mapping.iter().map(|mapping| mapping.word()).collect()
+    };
+    assert_eq!(words(0), [0x6040_0010, 0x6060_0008, 0x6042_0010]);
+    assert_eq!(words(1), [0x6840_0010, 0x6860_0008, 0x6842_0010]);
+    let indices: Vec<u16> = Velocity::ALL.iter().map(|pdo| pdo.index).collect();
+    assert_eq!(indices, double::RxPdo1600::ALL.iter().map(|pdo| pdo.index).collect::<Vec<_>>());
+}
