@@ -23,8 +23,8 @@ fn the_free_mapping_is_written_before_it_is_assigned() {
 #[test]
 fn every_axis_is_told_where_it_is() {
     let output = output(env!("CARGO_BIN_EXE_in_ethercrab"));
-    let same = |line: &str| line.strip_prefix("is at ").and_then(|line| line.split_once(", is told "));
-    let pairs: Vec<_> = output.lines().filter_map(same).collect();
+    let lines = output.lines().filter_map(|line| line.strip_prefix("is at "));
+    let pairs: Vec<_> = lines.filter_map(|line| line.split_once(", is told ")).collect();
     assert_eq!(pairs.len(), 6, "{output}");
     assert!(pairs.iter().all(|(at, told)| at == told), "{output}");
     // bytes 3 to 6 of the inputs of the first axis, which count up
