@@ -6,12 +6,13 @@
 #![no_std]
 #![no_main]
 
+#[rustfmt::skip]
 #[path = "../../../../generated/c887/c887.rs"]
 mod c887;
 mod dictionary;
+mod drive;
 mod master;
 mod process_data;
-mod drive;
 
 use core::hint::black_box;
 
