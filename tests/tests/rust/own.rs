@@ -1,5 +1,6 @@
 //! Own mappings and bring-up, against the example of the S700's manual and the lists that the description derives.
 
+use devc_generated::c887;
 use devc_generated::pmc_sc6::double;
 use devc_generated::s700::s700::{self, Controlword, Statusword, objects};
 use devc_runtime::pdo::{InPlace, Pdo, ProcessData, ProcessImage};
@@ -66,6 +67,14 @@ fn the_list_is_the_example_of_the_manual_byte_for_byte() {
         .collect();
     assert_eq!(list, example);
     assert_eq!(bytes(&LIST), bytes(&s700::configurations::FREE_MAPPING));
+}
+
+/// C887T0011, p. 26: the images as delivered, with the interpolation time of a millisecond that stands in 0x60C2.
+#[test]
+fn the_list_of_default_images_is_the_one_of_the_description() {
+    const CHOICE: StartUp = StartUp::of::<c887::Outputs, c887::Inputs>().cycle_ns::<1_000_000>();
+    const LIST: [Write; CHOICE.len()] = CHOICE.writes();
+    assert_eq!(bytes(&LIST), bytes(&c887::configurations::CSP));
 }
 
 #[test]
