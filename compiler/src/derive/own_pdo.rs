@@ -209,7 +209,7 @@ impl Mapped {
                 let id = name.to_string();
                 let id = id.trim_start_matches("r#");
                 let id = if per_axis { id.to_owned() } else { id.to_ascii_uppercase() };
-                let constant = Ident::new(&id, name.span());
+                let (constant, module) = (Ident::new(&id, name.span()), located(module, name.span()));
                 quote!(#module objects::#constant)
             }
         };

@@ -80,11 +80,4 @@ pub struct Unnamed {
 #[pdo(mapping = s700::FreeRxPdo1600)]
 pub struct Nothing {}
 
-/// What is no free PDO.
-#[derive(Clone, Copy, Pdo)]
-#[pdo(mapping = s700::RxPdo1701)]
-pub struct Fixed {
-    pub controlword: s700::Controlword,
-}
-
 fn main() {}

@@ -7,6 +7,10 @@ use crate::object::{Entry, Value};
 use crate::text::Text;
 
 /// A PDO whose mapping the user chooses. `#[derive(Pdo)]` makes process data of it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no PDO whose mapping is free",
+    note = "the module of a device has a type for each that it lets a master map, such as `FreeRxPdo1600`"
+)]
 pub trait FreePdo {
     /// The device that has it.
     type Device: Device;
