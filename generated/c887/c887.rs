@@ -2201,6 +2201,7 @@ pub mod commands {
         pattern: Pattern { mask: 0x0087, value: 0x0006 },
         edge: None,
         transitions: &[2, 6, 8],
+        ignored_in: StateSet::NONE,
     };
 
     /// Switch on. `0xxx 0111`
@@ -2213,6 +2214,7 @@ pub mod commands {
         pattern: Pattern { mask: 0x008F, value: 0x0007 },
         edge: None,
         transitions: &[3],
+        ignored_in: StateSet::NONE,
     };
 
     /// Disable voltage. `0xxx xx0x`
@@ -2225,6 +2227,7 @@ pub mod commands {
         pattern: Pattern { mask: 0x0082, value: 0x0000 },
         edge: None,
         transitions: &[7, 9, 10, 12],
+        ignored_in: StateSet::NONE,
     };
 
     /// Quick stop. `0xxx x01x`
@@ -2237,6 +2240,7 @@ pub mod commands {
         pattern: Pattern { mask: 0x0086, value: 0x0002 },
         edge: None,
         transitions: &[11],
+        ignored_in: StateSet::NONE,
     };
 
     /// Disable operation. `0xxx 0111`
@@ -2249,6 +2253,7 @@ pub mod commands {
         pattern: Pattern { mask: 0x008F, value: 0x0007 },
         edge: None,
         transitions: &[5],
+        ignored_in: StateSet::NONE,
     };
 
     /// Enable operation. `0xxx 1111`
@@ -2261,6 +2266,7 @@ pub mod commands {
         pattern: Pattern { mask: 0x008F, value: 0x000F },
         edge: None,
         transitions: &[4],
+        ignored_in: StateSet::NONE,
     };
 
     /// Fault reset. `rxxx xxxx`
@@ -2273,6 +2279,7 @@ pub mod commands {
         pattern: Pattern { mask: 0x0080, value: 0x0080 },
         edge: Some(Edge::Rising(0x0080)),
         transitions: &[15],
+        ignored_in: StateSet::of(&[State::SwitchOnDisabled, State::FaultReactionActive]),
     };
 
     /// Every command.

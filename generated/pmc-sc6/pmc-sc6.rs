@@ -3339,6 +3339,7 @@ pub mod double {
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
             edge: None,
             transitions: &[2, 6, 8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on. `0xxx 0111`
@@ -3351,6 +3352,7 @@ pub mod double {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage. `0xxx xx0x`
@@ -3363,6 +3365,7 @@ pub mod double {
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
             transitions: &[7, 9, 10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop. `0xxx x01x`
@@ -3376,6 +3379,7 @@ pub mod double {
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
             edge: None,
             transitions: &[7, 10, 11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation. `0xxx 0111`
@@ -3388,6 +3392,7 @@ pub mod double {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation. `0xxx 1111`
@@ -3400,6 +3405,7 @@ pub mod double {
             pattern: Pattern { mask: 0x008F, value: 0x000F },
             edge: None,
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset. `rxxx xxxx`
@@ -3412,6 +3418,7 @@ pub mod double {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.
@@ -8591,6 +8598,7 @@ pub mod single {
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
             edge: None,
             transitions: &[2, 6, 8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on. `0xxx 0111`
@@ -8603,6 +8611,7 @@ pub mod single {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage. `0xxx xx0x`
@@ -8615,6 +8624,7 @@ pub mod single {
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
             transitions: &[7, 9, 10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop. `0xxx x01x`
@@ -8628,6 +8638,7 @@ pub mod single {
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
             edge: None,
             transitions: &[7, 10, 11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation. `0xxx 0111`
@@ -8640,6 +8651,7 @@ pub mod single {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation. `0xxx 1111`
@@ -8652,6 +8664,7 @@ pub mod single {
             pattern: Pattern { mask: 0x008F, value: 0x000F },
             edge: None,
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset. `rxxx xxxx`
@@ -8664,6 +8677,7 @@ pub mod single {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.
@@ -14221,6 +14235,7 @@ pub mod double_hires {
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
             edge: None,
             transitions: &[2, 6, 8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on. `0xxx 0111`
@@ -14233,6 +14248,7 @@ pub mod double_hires {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage. `0xxx xx0x`
@@ -14245,6 +14261,7 @@ pub mod double_hires {
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
             transitions: &[7, 9, 10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop. `0xxx x01x`
@@ -14258,6 +14275,7 @@ pub mod double_hires {
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
             edge: None,
             transitions: &[7, 10, 11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation. `0xxx 0111`
@@ -14270,6 +14288,7 @@ pub mod double_hires {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation. `0xxx 1111`
@@ -14282,6 +14301,7 @@ pub mod double_hires {
             pattern: Pattern { mask: 0x008F, value: 0x000F },
             edge: None,
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset. `rxxx xxxx`
@@ -14294,6 +14314,7 @@ pub mod double_hires {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.
@@ -19390,6 +19411,7 @@ pub mod single_hires {
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
             edge: None,
             transitions: &[2, 6, 8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on. `0xxx 0111`
@@ -19402,6 +19424,7 @@ pub mod single_hires {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage. `0xxx xx0x`
@@ -19414,6 +19437,7 @@ pub mod single_hires {
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
             edge: None,
             transitions: &[7, 9, 10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop. `0xxx x01x`
@@ -19427,6 +19451,7 @@ pub mod single_hires {
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
             edge: None,
             transitions: &[7, 10, 11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation. `0xxx 0111`
@@ -19439,6 +19464,7 @@ pub mod single_hires {
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
             edge: None,
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation. `0xxx 1111`
@@ -19451,6 +19477,7 @@ pub mod single_hires {
             pattern: Pattern { mask: 0x008F, value: 0x000F },
             edge: None,
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset. `rxxx xxxx`
@@ -19463,6 +19490,7 @@ pub mod single_hires {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.

@@ -4221,6 +4221,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: None,
             transitions: &[2],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on, transition 3. `xxxx x11r`
@@ -4233,6 +4234,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0007, value: 0x0007 },
             edge: Some(Edge::Rising(0x0001)),
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 4. `xxxx r111`
@@ -4245,6 +4247,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0008)),
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation, transition 5. `xxxx f111`
@@ -4257,6 +4260,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x000F, value: 0x0007 },
             edge: Some(Edge::Falling(0x0008)),
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 6. `xxxx xx1f`
@@ -4269,6 +4273,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[6],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 7. `xxxx xxfx`
@@ -4281,6 +4286,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[7],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 8. `xxxx xx1f`
@@ -4293,6 +4299,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 9. `xxxx xxfx`
@@ -4305,6 +4312,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[9],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 10. `xxxx xxfx`
@@ -4317,6 +4325,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop, transition 11. `xxxx 1f11`
@@ -4329,6 +4338,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x000F, value: 0x000B },
             edge: Some(Edge::Falling(0x0004)),
             transitions: &[11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 12. `xxxx xxfx`
@@ -4341,6 +4351,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[12],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset, transition 15. `rxxx xxxx`
@@ -4353,6 +4364,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 16. `xxxx 1r11`
@@ -4365,6 +4377,7 @@ pub mod s300 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0004)),
             transitions: &[16],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.
@@ -8881,6 +8894,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: None,
             transitions: &[2],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on, transition 3. `xxxx x11r`
@@ -8893,6 +8907,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0007, value: 0x0007 },
             edge: Some(Edge::Rising(0x0001)),
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 4. `xxxx r111`
@@ -8905,6 +8920,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0008)),
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation, transition 5. `xxxx f111`
@@ -8917,6 +8933,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x000F, value: 0x0007 },
             edge: Some(Edge::Falling(0x0008)),
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 6. `xxxx xx1f`
@@ -8929,6 +8946,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[6],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 7. `xxxx xxfx`
@@ -8941,6 +8959,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[7],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 8. `xxxx xx1f`
@@ -8953,6 +8972,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 9. `xxxx xxfx`
@@ -8965,6 +8985,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[9],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 10. `xxxx xxfx`
@@ -8977,6 +8998,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop, transition 11. `xxxx 1f11`
@@ -8989,6 +9011,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x000F, value: 0x000B },
             edge: Some(Edge::Falling(0x0004)),
             transitions: &[11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 12. `xxxx xxfx`
@@ -9001,6 +9024,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[12],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset, transition 15. `rxxx xxxx`
@@ -9013,6 +9037,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 16. `xxxx 1r11`
@@ -9025,6 +9050,7 @@ pub mod s400 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0004)),
             transitions: &[16],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.
@@ -13407,6 +13433,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: None,
             transitions: &[2],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on, transition 3. `xxxx x11r`
@@ -13419,6 +13446,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0007, value: 0x0007 },
             edge: Some(Edge::Rising(0x0001)),
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 4. `xxxx r111`
@@ -13431,6 +13459,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0008)),
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation, transition 5. `xxxx f111`
@@ -13443,6 +13472,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x000F, value: 0x0007 },
             edge: Some(Edge::Falling(0x0008)),
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 6. `xxxx xx1f`
@@ -13455,6 +13485,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[6],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 7. `xxxx xxfx`
@@ -13467,6 +13498,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[7],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 8. `xxxx xx1f`
@@ -13479,6 +13511,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 9. `xxxx xxfx`
@@ -13491,6 +13524,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[9],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 10. `xxxx xxfx`
@@ -13503,6 +13537,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop, transition 11. `xxxx 1f11`
@@ -13515,6 +13550,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x000F, value: 0x000B },
             edge: Some(Edge::Falling(0x0004)),
             transitions: &[11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 12. `xxxx xxfx`
@@ -13527,6 +13563,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[12],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset, transition 15. `rxxx xxxx`
@@ -13539,6 +13576,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 16. `xxxx 1r11`
@@ -13551,6 +13589,7 @@ pub mod s600 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0004)),
             transitions: &[16],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.
@@ -18998,6 +19037,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: None,
             transitions: &[2],
+            ignored_in: StateSet::NONE,
         };
 
         /// Switch on, transition 3. `xxxx x11r`
@@ -19010,6 +19050,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0007, value: 0x0007 },
             edge: Some(Edge::Rising(0x0001)),
             transitions: &[3],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 4. `xxxx r111`
@@ -19022,6 +19063,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0008)),
             transitions: &[4],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable operation, transition 5. `xxxx f111`
@@ -19034,6 +19076,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x000F, value: 0x0007 },
             edge: Some(Edge::Falling(0x0008)),
             transitions: &[5],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 6. `xxxx xx1f`
@@ -19046,6 +19089,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[6],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 7. `xxxx xxfx`
@@ -19058,6 +19102,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[7],
+            ignored_in: StateSet::NONE,
         };
 
         /// Shutdown, transition 8. `xxxx xx1f`
@@ -19070,6 +19115,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0003, value: 0x0002 },
             edge: Some(Edge::Falling(0x0001)),
             transitions: &[8],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 9. `xxxx xxfx`
@@ -19082,6 +19128,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[9],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 10. `xxxx xxfx`
@@ -19094,6 +19141,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[10],
+            ignored_in: StateSet::NONE,
         };
 
         /// Quick stop, transition 11. `xxxx 1f11`
@@ -19106,6 +19154,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x000F, value: 0x000B },
             edge: Some(Edge::Falling(0x0004)),
             transitions: &[11],
+            ignored_in: StateSet::NONE,
         };
 
         /// Disable voltage, transition 12. `xxxx xxfx`
@@ -19118,6 +19167,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0002, value: 0x0000 },
             edge: Some(Edge::Falling(0x0002)),
             transitions: &[12],
+            ignored_in: StateSet::NONE,
         };
 
         /// Fault reset, transition 15. `rxxx xxxx`
@@ -19130,6 +19180,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
             edge: Some(Edge::Rising(0x0080)),
             transitions: &[15],
+            ignored_in: StateSet::NONE,
         };
 
         /// Enable operation, transition 16. `xxxx 1r11`
@@ -19142,6 +19193,7 @@ pub mod s700 {
             pattern: Pattern { mask: 0x000F, value: 0x000F },
             edge: Some(Edge::Rising(0x0004)),
             transitions: &[16],
+            ignored_in: StateSet::NONE,
         };
 
         /// Every command.

@@ -1,6 +1,6 @@
 //! From a command to controlwords.
 
-use super::Pattern;
+use super::{Pattern, StateSet};
 
 /// A change of one bit from a cycle to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -49,13 +49,14 @@ impl Edge {
 /// A command with an edge takes two words, so that a held bit is never a second command:
 ///
 /// ```
-/// use devc_runtime::cia402::{Command, Edge, Pattern};
+/// use devc_runtime::cia402::{Command, Edge, Pattern, StateSet};
 ///
 /// const FAULT_RESET: Command = Command {
 ///     name: "fault reset",
 ///     pattern: Pattern { mask: 0x0080, value: 0x0080 },
 ///     edge: Some(Edge::Rising(0x0080)),
 ///     transitions: &[15],
+///     ignored_in: StateSet::NONE,
 /// };
 ///
 /// let (first, second) = (FAULT_RESET.prepare(0x0086), FAULT_RESET.apply(0x0086));
@@ -73,6 +74,8 @@ pub struct Command {
     pub edge: Option<Edge>,
     /// The numbers of the transitions that it may trigger.
     pub transitions: &'static [u8],
+    /// The states in which it does nothing, even on a device that takes a wrong command for a fault.
+    pub ignored_in: StateSet,
 }
 
 impl Command {

@@ -63,6 +63,7 @@ pub const COMMANDS: [Command; 7] = [
         pattern: Pattern { mask: 0x0080, value: 0x0080 },
         edge: Some(Edge::Rising(0x0080)),
         transitions: &[15],
+        ignored_in: StateSet::NONE,
     },
 ];
 
@@ -89,5 +90,6 @@ const fn transition(number: u8, from: &[State], to: State) -> Transition {
 }
 
 const fn command(name: &'static str, mask: u16, value: u16, transitions: &'static [u8]) -> Command {
-    Command { name, pattern: Pattern { mask, value }, edge: None, transitions }
+    let ignored_in = StateSet::NONE;
+    Command { name, pattern: Pattern { mask, value }, edge: None, transitions, ignored_in }
 }

@@ -83,14 +83,16 @@ impl Machine {
         self.transitions.iter().find(|transition| transition.number == number)
     }
 
-    /// Whether a controlword is a command that the drive takes in `state`: it leads on, or asks for what is.
+    /// Whether a controlword is a command that the drive takes in `state`: it leads on, asks for what is, or is ignored.
     ///
     /// Before it is ready, and in a fault and its reaction, a drive looks for nothing but a fault reset, so that no
     /// word is wrong there. A word that gives no command, such as a fault reset that is held, is none either.
     #[inline]
     pub fn allows(&self, state: State, (previous, current): (u16, u16)) -> bool {
         let mut given = self.commands.iter().filter(|command| command.is_given(previous, current)).peekable();
-        is_deaf(state) || given.peek().is_none() || given.any(|command| self.fits(command, state))
+        is_deaf(state)
+            || given.peek().is_none()
+            || given.any(|command| command.ignored_in.contains(state) || self.fits(command, state))
     }
 
     /// Whether a command leads out of `state`, or asks for it.
@@ -117,6 +119,7 @@ impl Machine {
     fn by_command(&self, state: State, (previous, current): (u16, u16), events: Events) -> Option<Step> {
         let given = self.commands.iter().filter(|command| command.is_given(previous, current));
         given
+            .filter(|command| !command.ignored_in.contains(state))
             .flat_map(|command| self.reached_by(command).map(move |transition| (command, transition)))
             .filter(|(_, transition)| !self.is_hindered(transition.number, events))
             .find_map(|(command, transition)| step(transition, state, Cause::Command(command.name)))

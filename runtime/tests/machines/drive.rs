@@ -1,7 +1,9 @@
 //! Every state with every controlword, after every word that matters for its edges.
 
+use std::sync::OnceLock;
+
 use devc_runtime::cia402::State::{self, *};
-use devc_runtime::cia402::{Cause, Drive, Events, Machine, Step, generic};
+use devc_runtime::cia402::{Cause, Command, Drive, Events, Machine, StateSet, Step, generic};
 
 use crate::device::{c887, pilz, s700};
 
@@ -286,5 +288,21 @@ fn every_state_is_shown_whatever_the_other_bits_are() {
                 assert!(machine.states.fitting(word).contains(state), "{state} {word:04X}");
             }
         }
+    }
+}
+
+/// Where a manual says that a command is ignored, it is, however strict the drive is otherwise.
+#[test]
+fn a_command_that_is_ignored_is_no_fault() {
+    let ignored_in = StateSet::of(&[ReadyToSwitchOn, SwitchedOn]);
+    for (state, (previous, current)) in [(ReadyToSwitchOn, (0x0006, 0x000F)), (SwitchedOn, (0x0007, 0x0002))]
+    {
+        let step =
+            |commands| Machine { commands, ..c887::MACHINE }.step(state, (previous, current), Events::NONE);
+        assert_eq!(step(c887::MACHINE.commands).map(|step| step.number), Some(13), "{state}");
+        static PATIENT: OnceLock<Vec<Command>> = OnceLock::new();
+        let patient =
+            || c887::MACHINE.commands.iter().map(|command| Command { ignored_in, ..*command }).collect();
+        assert_eq!(step(PATIENT.get_or_init(patient)), None, "{state}");
     }
 }

@@ -269,7 +269,8 @@ pub mod commands {
     use super::*;
 
     const fn command(name: &'static str, mask: u16, value: u16, transitions: &'static [u8]) -> Command {
-        Command { name, pattern: Pattern { mask, value }, edge: None, transitions }
+        let ignored_in = StateSet::NONE;
+        Command { name, pattern: Pattern { mask, value }, edge: None, transitions, ignored_in }
     }
 
     /// Shutdown.

@@ -7,6 +7,7 @@ use super::doc::{Doc, sentence};
 use super::literal::{hex16, number};
 use super::names::{Names, shout};
 use super::scope::Scope;
+use super::states;
 use crate::model::{Command, Device, Pattern, Transition};
 
 /// What a controlword asks for, and of which transitions.
@@ -16,6 +17,8 @@ struct Given<'a> {
     name: String,
     pattern: &'a Pattern,
     transitions: Vec<u8>,
+    /// The states in which it does nothing.
+    ignored_in: &'a [String],
     doc: Doc,
 }
 
@@ -62,6 +65,7 @@ fn of_command<'a>(device: &'a Device, command: &'a Command) -> Option<Given<'a>>
         name: command.name.to_lowercase(),
         pattern,
         transitions: command.transitions.iter().filter(is_made).copied().collect(),
+        ignored_in: &command.ignored_in,
         doc,
     })
 }
@@ -79,13 +83,13 @@ fn of_transition<'a>(device: &'a Device, transition: &'a Transition) -> Option<G
         Some(_) => name.to_lowercase(),
         None => format!("transition {number}"),
     };
-    Some(Given { id, name, pattern, transitions: vec![number], doc })
+    Some(Given { id, name, pattern, transitions: vec![number], ignored_in: &[], doc })
 }
 
 fn constant(command: &Given<'_>, name: &Ident) -> TokenStream {
-    let Given { id: _, name: text, pattern, transitions, doc } = command;
+    let Given { id: _, name: text, pattern, transitions, ignored_in, doc } = command;
     let (mask, value, edge) = (hex16(pattern.mask()), hex16(pattern.value()), edge(pattern));
-    let transitions = transitions.iter().map(number);
+    let (transitions, ignored_in) = (transitions.iter().map(number), set(ignored_in));
     quote! {
         #doc
         pub const #name: Command = Command {
@@ -93,7 +97,17 @@ fn constant(command: &Given<'_>, name: &Ident) -> TokenStream {
             pattern: Pattern { mask: #mask, value: #value },
             edge: #edge,
             transitions: &[#(#transitions),*],
+            ignored_in: #ignored_in,
         };
+    }
+}
+
+/// A set of states, by their ids.
+fn set(ids: &[String]) -> TokenStream {
+    let mut states = ids.iter().filter_map(|id| states::state(id)).peekable();
+    match states.peek() {
+        None => quote!(StateSet::NONE),
+        Some(_) => quote!(StateSet::of(&[#(State::#states),*])),
     }
 }
 

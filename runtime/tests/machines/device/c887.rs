@@ -50,7 +50,10 @@ const COMMANDS: &[Command] = &[
     command("quick stop", 0x0086, 0x0002, &[11]),
     command("disable operation", 0x008F, 0x0007, &[5]),
     command("enable operation", 0x008F, 0x000F, &[4]),
-    on_edge(Edge::Rising(0x0080), command("fault reset", 0x0080, 0x0080, &[15])),
+    Command {
+        ignored_in: StateSet::of(&[SwitchOnDisabled, FaultReactionActive]),
+        ..on_edge(Edge::Rising(0x0080), command("fault reset", 0x0080, 0x0080, &[15]))
+    },
 ];
 
 const TRANSITIONS: &[Transition] = &[

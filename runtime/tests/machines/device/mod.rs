@@ -11,7 +11,8 @@ const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -
 }
 
 const fn command(name: &'static str, mask: u16, value: u16, transitions: &'static [u8]) -> Command {
-    Command { name, pattern: Pattern { mask, value }, edge: None, transitions }
+    let ignored_in = StateSet::NONE;
+    Command { name, pattern: Pattern { mask, value }, edge: None, transitions, ignored_in }
 }
 
 const fn on_edge(edge: Edge, command: Command) -> Command {
