@@ -65,7 +65,11 @@ pub(super) fn unit(unit: &Unit) -> String {
 /// The default as it is in code, but for the marks between digits.
 fn shown(entry: &Entry) -> String {
     let code = literal::value(entry).to_string();
-    if code.starts_with(|c: char| c.is_ascii_digit()) { code.replace('_', "") } else { code }
+    match code.strip_prefix("- ") {
+        Some(number) => format!("-{number}"),
+        None if code.starts_with(|c: char| c.is_ascii_digit()) => code.replace('_', ""),
+        None => code,
+    }
 }
 
 fn access(access: Access) -> &'static str {
