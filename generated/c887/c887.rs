@@ -976,7 +976,7 @@ pub mod objects {
             axis.entry(0x60C2, 0x800, 1)
         }
 
-        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS, default - 3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS, default -3.
         ///
         /// It does nothing on Y, Z, U, V, W.
         pub const fn interpolation_time_index(axis: Axis) -> Entry<C887, i8, ReadWrite, Rx> {
@@ -3224,7 +3224,7 @@ pub mod dictionary {
     pub struct InterpolationTimePeriod {
         /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS, default 1.
         pub interpolation_time_period_value: u8,
-        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS, default - 3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS, default -3.
         pub interpolation_time_index: i8,
     }
 
