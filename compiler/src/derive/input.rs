@@ -2,8 +2,8 @@
 //! of Rust, which would take longer to build than all the rest.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
-use quote::quote;
 
+use super::settings::default_runtime;
 use super::{Fault, module_name};
 
 /// The struct and what its attribute says.
@@ -66,7 +66,7 @@ impl Input {
 
 fn runtime_path(setting: Option<Setting>) -> Result<TokenStream, Fault> {
     match setting {
-        None => Ok(quote!(::devc_runtime)),
+        None => Ok(default_runtime()),
         Some((path, span)) => {
             let is_path = path.trim_start_matches("::").split("::").all(is_identifier);
             match path.parse() {

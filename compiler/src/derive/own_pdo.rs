@@ -48,7 +48,7 @@ struct Mapped {
 impl OwnPdo {
     fn of(record: &Record) -> Result<Self, Fault> {
         let settings = Settings::parse(&record.attributes, &["mapping", "per_axis", "runtime"])?;
-        let runtime = settings.get("runtime").cloned().unwrap_or_else(|| quote!(::devc_runtime));
+        let runtime = settings.runtime();
         let missing = || Fault::new(record.name.span(), format!("which PDO is mapped? Write `{EXAMPLE}`"));
         let free = settings.get("mapping").cloned().ok_or_else(missing)?;
         if record.fields.is_empty() {

@@ -46,7 +46,7 @@ struct Part {
 impl Image {
     fn of(record: &Record) -> Result<Self, Fault> {
         let settings = Settings::parse(&record.attributes, &["runtime"])?;
-        let runtime = settings.get("runtime").cloned().unwrap_or_else(|| quote!(::devc_runtime));
+        let runtime = settings.runtime();
         let (mut parts, mut offset, mut place) = (Vec::new(), quote!(0), 0);
         for field in &record.fields {
             let part = Part::of(field, &offset, place)?;

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
 use super::Fault;
+use crate::emit::rust::Options;
 
 /// The settings of an item, each of which may be there once.
 #[derive(Debug)]
@@ -38,6 +39,16 @@ impl Settings {
     pub(super) fn get(&self, key: &str) -> Option<&TokenStream> {
         self.settings.iter().find(|(known, _)| known == key).map(|(_, value)| value)
     }
+
+    /// The path of the runtime crate.
+    pub(super) fn runtime(&self) -> TokenStream {
+        self.get("runtime").cloned().unwrap_or_else(default_runtime)
+    }
+}
+
+/// Where the runtime crate is if nobody says so.
+pub(super) fn default_runtime() -> TokenStream {
+    Options::default().runtime
 }
 
 /// What is between an equals sign and the next comma.
