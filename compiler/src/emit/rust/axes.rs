@@ -95,7 +95,8 @@ pub(super) fn shift(device: &Device, index: Index) -> Option<u16> {
     }
 }
 
-fn shifted(index: Index, by: u16, axes: u16) -> Option<Index> {
+/// The index so many axes further.
+pub(super) fn shifted(index: Index, by: u16, axes: u16) -> Option<Index> {
     by.checked_mul(axes).and_then(|distance| index.0.checked_add(distance)).map(Index)
 }
 

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::doc::{Doc, escape, place, sentence};
-use super::literal::{hex8, hex16, line, number};
+use super::literal::{hex8, hex16, line, number, option};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::types::address;
@@ -80,10 +80,7 @@ fn constant(scope: &Scope<'_>, error: &ErrorCode, name: &Ident) -> TokenStream {
 fn table(name: &Ident, codes: &[&ErrorCode], ranges: &[&ErrorCode]) -> TokenStream {
     let codes = codes.iter().map(|error| {
         let (code, name, text) = (hex16(error.code), &error.name, text(error));
-        let register = match error.register.map(hex8) {
-            Some(register) => quote!(Some(#register)),
-            None => quote!(None),
-        };
+        let register = option(error.register.map(hex8));
         let vendor = error.vendor_codes.iter().map(number);
         quote!(info(#code, #name, #register, &[#(#vendor),*], #text))
     });

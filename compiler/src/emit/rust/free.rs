@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::axes::Placed;
 use super::doc::Doc;
-use super::literal::{hex16, number};
+use super::literal::{hex16, number, option};
 use super::scope::Scope;
 use crate::model::Pdo;
 
@@ -18,7 +18,7 @@ fn item(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
     let (name, marker) = (format_ident!("Free{}", scope.pdo_ident(placed)), &scope.marker);
     let direction = super::pdos::direction(pdo.direction);
     let indices = placed.all.iter().map(|pdo| hex16(pdo.index.0));
-    let (max_bytes, max_entries) = (limit(pdo.max_bytes), limit(pdo.max_entries));
+    let (max_bytes, max_entries) = (option(pdo.max_bytes.map(number)), option(pdo.max_entries.map(number)));
     let limits: Vec<String> = [
         pdo.max_bytes.map(|bytes| format!("{bytes} bytes")),
         pdo.max_entries.map(|entries| format!("{entries} entries")),
@@ -42,12 +42,5 @@ fn item(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
             const MAX_BYTES: Option<u16> = #max_bytes;
             const MAX_ENTRIES: Option<u8> = #max_entries;
         }
-    }
-}
-
-fn limit(limit: Option<impl std::fmt::Display>) -> TokenStream {
-    match limit.map(number) {
-        Some(limit) => quote!(Some(#limit)),
-        None => quote!(None),
     }
 }

@@ -41,6 +41,14 @@ pub(super) fn number(value: impl std::fmt::Display) -> TokenStream {
     parsed(&value.to_string())
 }
 
+/// A value that may be missing.
+pub(super) fn option(value: Option<TokenStream>) -> TokenStream {
+    match value {
+        Some(value) => quote!(Some(#value)),
+        None => quote!(None),
+    }
+}
+
 /// A number with its thousands apart: `100_000`.
 pub(super) fn grouped(value: u64) -> TokenStream {
     let digits = value.to_string();

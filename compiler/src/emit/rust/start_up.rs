@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::axes;
 use super::doc::{Doc, sentence};
-use super::literal::{hex8, hex16, number};
+use super::literal::{hex8, hex16, number, option};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use crate::model::{Configuration, Index, SdoWrite};
@@ -31,12 +31,9 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
 /// Where an object of the first axis is on another, if it does anything there.
 fn on_axis(scope: &Scope<'_>, first: u16, axis: u8) -> TokenStream {
     let shift = axes::shift(scope.device, Index(first)).unwrap_or(0);
-    let index = shift.checked_mul(axis.into()).and_then(|distance| first.checked_add(distance)).map(Index);
+    let index = axes::shifted(Index(first), shift, axis.into());
     let object = index.and_then(|index| scope.device.object(index)).filter(|object| object.functional);
-    match object.map(|object| hex16(object.index.0)) {
-        Some(index) => quote!(Some(#index)),
-        None => quote!(None),
-    }
+    option(object.map(|object| hex16(object.index.0)))
 }
 
 fn configurations(scope: &Scope<'_>) -> TokenStream {

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::doc::Doc;
-use super::literal::{hex16, number};
+use super::literal::{hex16, number, option};
 use super::scope::Scope;
 use crate::model::{Direction, Index, Role, SyncManager};
 
@@ -24,10 +24,7 @@ fn item(scope: &Scope<'_>, manager: &SyncManager, way: Direction) -> TokenStream
     let default = manager.pdos.iter().map(hex);
     let assignable = scope.device.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_assign);
     let slots = number(manager.slots);
-    let max_size = match manager.max_size.map(number) {
-        Some(max_size) => quote!(Some(#max_size)),
-        None => quote!(None),
-    };
+    let max_size = option(manager.max_size.map(number));
     let of_way = || scope.device.pdos.iter().filter(move |pdo| pdo.direction == way);
     let mandatory = of_way().filter(|pdo| pdo.mandatory).map(|pdo| hex(&pdo.index));
     let pairs: BTreeSet<(Index, Index)> = of_way()
