@@ -54,6 +54,18 @@ model! {
     }
 }
 
+impl Scale {
+    /// So many raw steps to so many units, in lowest terms. Neither is 0.
+    pub fn lowest(raw: u64, units: u64) -> Self {
+        let (mut a, mut b) = (raw, units);
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        let divisor = a.max(1);
+        Self { raw: raw / divisor, units: units / divisor }
+    }
+}
+
 impl Unit {
     /// What it is on an axis, or for the whole device.
     pub fn on(&self, axis: Option<u8>) -> Option<&AxisUnit> {

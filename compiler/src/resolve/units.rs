@@ -50,11 +50,6 @@ fn axes(context: &mut Context<'_>, entity: &Entity<RawUnit>) -> Vec<AxisUnit> {
     axes
 }
 
-/// A fraction in lowest terms.
 fn lowest(fraction: Fraction) -> Scale {
-    let (mut a, mut b) = (fraction.numerator, fraction.denominator);
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    Scale { raw: fraction.numerator / a, units: fraction.denominator / a }
+    Scale::lowest(fraction.numerator, fraction.denominator)
 }

@@ -10,7 +10,7 @@ use super::literal::grouped;
 use super::measure::Measure;
 use super::names::{Names, camel, shout, snake};
 use super::scope::Scope;
-use crate::model::{AxisUnit, Path, Unit};
+use crate::model::{AxisUnit, Path, Scale, Unit};
 
 pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
     let mut names = Names::default();
@@ -68,10 +68,11 @@ fn item(
     is_one: bool,
     names: &mut Names,
 ) -> Option<TokenStream> {
-    let scales = group.axes.iter().map(|axis| scaled(unit.axes.get(*axis)?)).collect::<Option<Vec<_>>>()?;
+    let scales =
+        group.axes.iter().map(|axis| Scaled::of(unit.axes.get(*axis)?)).collect::<Option<Vec<_>>>()?;
     let (first, doc) = (scales.first()?, doc(scope, unit, group, is_one));
     let id = if is_one { unit.id.clone() } else { format!("{}-{}", unit.id, word(&group.first.symbol)) };
-    let (name, ty) = (shout(&id), ty(scope, group.first));
+    let (name, ty) = (shout(&id), first.ty(&scope.marker));
     if scales.iter().all(|scale| scale == first) {
         let (name, value) = (names.claim(&name), first.tokens());
         return Some(quote!(#doc pub const #name: #ty = #value;));
@@ -93,45 +94,34 @@ fn item(
     })
 }
 
-/// The type of a unit: of the device and of what it measures.
-fn ty(scope: &Scope<'_>, unit: &AxisUnit) -> TokenStream {
-    let marker = &scope.marker;
-    match Measure::of(&unit.symbol) {
-        Some(measure) => {
-            let quantity = measure.quantity();
-            quote!(Unit<#marker, #quantity>)
-        }
-        None => quote!(Scale),
-    }
-}
-
-/// So many of the smallest unit in so many raw steps.
+/// What a unit measures, and raw steps to so many of the smallest unit of that.
 #[derive(PartialEq, Eq)]
 struct Scaled {
-    smallest: u64,
-    raw: u64,
-    is_typed: bool,
+    measure: Option<Measure>,
+    scale: Scale,
 }
 
 impl Scaled {
+    fn of(unit: &AxisUnit) -> Option<Self> {
+        let (units, raw) = unit.scale.map_or((1, 1), |scale| (scale.units, scale.raw));
+        let measure = Measure::of(&unit.symbol);
+        let smallest = measure.map_or(Some(units), |measure| units.checked_mul(measure.smallest))?;
+        (smallest > 0 && raw > 0).then(|| Self { measure, scale: Scale::lowest(raw, smallest) })
+    }
+
+    /// The type: of the device and of what is measured.
+    fn ty(&self, marker: &Ident) -> TokenStream {
+        match self.measure.map(Measure::quantity) {
+            Some(quantity) => quote!(Unit<#marker, #quantity>),
+            None => quote!(Scale),
+        }
+    }
+
     fn tokens(&self) -> TokenStream {
-        let (smallest, raw) = (grouped(self.smallest), grouped(self.raw));
-        let name = camel(if self.is_typed { "Unit" } else { "Scale" });
+        let (smallest, raw) = (grouped(self.scale.units), grouped(self.scale.raw));
+        let name = camel(if self.measure.is_some() { "Unit" } else { "Scale" });
         quote!(#name::of::<#smallest, #raw>())
     }
-}
-
-fn scaled(unit: &AxisUnit) -> Option<Scaled> {
-    let (units, raw) = unit.scale.map_or((1, 1), |scale| (scale.units, scale.raw));
-    let measure = Measure::of(&unit.symbol);
-    let smallest = measure.map_or(Some(units), |measure| units.checked_mul(measure.smallest))?;
-    let divisor = gcd(smallest, raw).max(1);
-    let is_typed = measure.is_some();
-    (smallest > 0 && raw > 0).then_some(Scaled { smallest: smallest / divisor, raw: raw / divisor, is_typed })
-}
-
-fn gcd(a: u64, b: u64) -> u64 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 /// A word for a symbol, where a unit has several: `mm/s` is `mm-per-s`.
