@@ -2,7 +2,7 @@
 
 use super::{Pattern, StateSet};
 
-/// A change of one bit from a cycle to the next.
+/// A change of one bit from a cycle to the next (CiA 402, fault reset; S700, 3.4.2, for most commands).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// The bit of this mask goes from 0 to 1.
@@ -12,7 +12,7 @@ pub enum Edge {
 }
 
 impl Edge {
-    /// Whether the change happened between two words.
+    /// Whether the change happened between two words (S700, 3.4.2: P and N).
     #[inline]
     pub const fn happened(self, previous: u16, current: u16) -> bool {
         match self {
@@ -79,13 +79,13 @@ pub struct Command {
 }
 
 impl Command {
-    /// Whether the step from the previous to the current controlword gives the command.
+    /// Whether the step from the previous to the current controlword gives the command (CiA 402, command coding).
     #[inline]
     pub fn is_given(&self, previous: u16, current: u16) -> bool {
         self.pattern.matches(current) && self.edge.is_none_or(|edge| edge.happened(previous, current))
     }
 
-    /// Whether it may trigger the transition of that number.
+    /// Whether it may trigger the transition of that number (CiA 402, command coding: transitions of a command).
     #[inline]
     pub const fn triggers(&self, number: u8) -> bool {
         // not `contains`, which calls a search for long runs of bytes
@@ -99,7 +99,8 @@ impl Command {
         false
     }
 
-    /// The controlword that gives the command, with all bits that it does not use as they are in `controlword`.
+    /// The controlword that gives the command, with all bits that it does not use as they are in `controlword`
+    /// (CiA 402, command coding: bits marked as not relevant).
     #[inline]
     pub fn apply(&self, controlword: u16) -> u16 {
         let word = self.pattern.apply(controlword);

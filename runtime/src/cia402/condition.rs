@@ -14,12 +14,12 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// A transition that the drive makes by itself.
+    /// A transition that the drive makes by itself (CiA 402, PDS FSA transitions: automatic ones).
     pub const fn caused(transition: u8, causes: Events) -> Self {
         Self { transition, causes, hinders: Events::NONE }
     }
 
-    /// A command that has to wait.
+    /// A command that has to wait (Pilz 1005347, 6.5.2.4: enable signal).
     pub const fn hindered(transition: u8, hinders: Events) -> Self {
         Self { transition, causes: Events::NONE, hinders }
     }

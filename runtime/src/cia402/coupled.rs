@@ -43,7 +43,7 @@ impl<const N: usize> Coupled<N> {
         Self { machine, whole: state, axes: [state; N], controlword }
     }
 
-    /// The state of the whole, which every axis shows.
+    /// The state of the whole, which every axis shows (C887T0011, p. 10).
     pub const fn state(&self) -> State {
         self.whole
     }

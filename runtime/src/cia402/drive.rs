@@ -2,7 +2,7 @@
 
 use super::{Events, Machine, State, Step};
 
-/// What a firmware runs for an axis: the controlword goes in each cycle, the statusword comes out.
+/// What a firmware runs for an axis: the controlword goes in each cycle, the statusword comes out (CiA 402, PDS FSA).
 ///
 /// Commands with an edge count once, however long their bit is held; the first word after power-on gives no rising
 /// edge. While the communication is down, the word that was received last is to be given.

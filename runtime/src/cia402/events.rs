@@ -26,13 +26,13 @@ pub struct Events(u8);
 impl Events {
     /// Nothing.
     pub const NONE: Self = Self(0);
-    /// Start-up and self-test are over.
+    /// Start-up and self-test are over (CiA 402, transitions 0 and 1).
     pub const INITIALISED: Self = Self(1);
-    /// The cause of a fault is there.
+    /// The cause of a fault is there (CiA 402, transition 13).
     pub const FAULT: Self = Self(1 << 1);
-    /// The reaction to a fault is over.
+    /// The reaction to a fault is over (CiA 402, transition 14).
     pub const FAULT_REACTION_OVER: Self = Self(1 << 2);
-    /// The quick stop is over, and the drive does not stay in quick stop active.
+    /// The quick stop is over, and the drive does not stay in quick stop active (CiA 402, transition 12).
     pub const QUICK_STOP_OVER: Self = Self(1 << 3);
     /// Power is forbidden from outside.
     pub const LOCKED_OUT: Self = Self(1 << 4);

@@ -75,7 +75,7 @@ pub const MODES: Modes = Modes {
     refusal: Refusal::Ignored,
 };
 
-/// All of it.
+/// All of it (CiA 402, PDS FSA).
 pub const MACHINE: Machine = Machine {
     states: STATES,
     commands: &COMMANDS,

@@ -19,7 +19,7 @@ pub struct HomingInfo {
     pub text: &'static str,
 }
 
-/// A direction of movement.
+/// A direction of movement (CiA 402, homing methods).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// Towards greater positions.

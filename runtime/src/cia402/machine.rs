@@ -30,7 +30,7 @@ pub struct Machine {
     pub modes: Modes,
 }
 
-/// What the device does with a command, or a change of mode, that is not allowed.
+/// What the device does with a command, or a change of mode, that is not allowed (CiA 402; C887T0011, p. 12).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Refusal {
     /// Nothing (CiA 402).
@@ -39,7 +39,7 @@ pub enum Refusal {
     Fault,
 }
 
-/// A transition that is made.
+/// A transition that is made (CiA 402, PDS FSA transitions).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
     /// The number of the transition.
@@ -52,7 +52,7 @@ pub struct Step {
     pub cause: Cause,
 }
 
-/// Why a transition is made.
+/// Why a transition is made (CiA 402, PDS FSA transitions: event or command).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cause {
     /// A command, by its name.
@@ -67,7 +67,8 @@ pub enum Cause {
 }
 
 impl Machine {
-    /// What the drive does in `state` when the controlword goes from the first of the words to the second.
+    /// What the drive does in `state` when the controlword goes from the first of the words to the second (CiA 402, PDS
+    /// FSA transitions).
     ///
     /// One transition at most: each state lasts a cycle, so that the master can see it.
     #[inline]
@@ -77,13 +78,14 @@ impl Machine {
             .or_else(|| self.by_refusal(state, controlwords))
     }
 
-    /// The transition with that number, if the device supports it.
+    /// The transition with that number, if the device supports it (CiA 402, PDS FSA transitions).
     #[inline]
     pub fn transition(&self, number: u8) -> Option<&'static Transition> {
         self.transitions.iter().find(|transition| transition.number == number)
     }
 
-    /// Whether a controlword is a command that the drive takes in `state`: it leads on, asks for what is, or is ignored.
+    /// Whether a controlword is a command that the drive takes in `state`: it leads on, asks for what is, or is ignored
+    /// (CiA 402, PDS FSA).
     ///
     /// Before it is ready, and in a fault and its reaction, a drive looks for nothing but a fault reset, so that no
     /// word is wrong there. A word that gives no command, such as a fault reset that is held, is none either.

@@ -23,7 +23,7 @@ pub trait Mode: Copy {
     }
 }
 
-/// The number of a mode that the device's description does not have.
+/// The number of a mode that the device's description does not have (CiA 402, modes of operation 0x6060).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct UnknownMode(
     /// The number as it came.

@@ -20,7 +20,7 @@ pub struct ModeSwitch {
     display: i8,
 }
 
-/// How far what the drive does in its present mode has come, when another mode is asked for.
+/// How far what the drive does in its present mode has come, when another mode is asked for (C887T0011, p. 11).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Running {
     /// It is not over: the drive moves, or has still to get ready.
@@ -31,7 +31,7 @@ pub enum Running {
     Failed,
 }
 
-/// What became of the mode in a cycle.
+/// What became of the mode in a cycle (CiA 402, modes of operation display 0x6061).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ModeStep {
     /// The mode that is asked for is the one that is displayed.

@@ -33,7 +33,7 @@ pub struct Modes {
     pub refusal: Refusal,
 }
 
-/// A change of mode that a device makes.
+/// A change of mode that a device makes (C887T0011, p. 11).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ModeChange {
     /// The modes before; any if there is none.

@@ -45,7 +45,7 @@ impl Observer {
         self.possible
     }
 
-    /// The state that the next statusword shows. A word that fits no state changes nothing.
+    /// The state that the next statusword shows (CiA 402, state coding). A word that fits no state changes nothing.
     pub fn observe(&mut self, statusword: u16) -> Result<State, UnknownState> {
         let fitting = self.machine.states.fitting(statusword);
         let following = fitting.common(self.reachable());

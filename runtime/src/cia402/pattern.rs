@@ -22,7 +22,7 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Whether all bits of `word` that count are as they have to be.
+    /// Whether all bits of `word` that count are as they have to be (CiA 402, state coding).
     #[inline]
     pub const fn matches(self, word: u16) -> bool {
         word & self.mask == self.value

@@ -60,7 +60,7 @@ impl fmt::Display for State {
     }
 }
 
-/// Some of the states.
+/// Some of the states (CiA 402, PDS FSA).
 ///
 /// ```
 /// use devc_runtime::cia402::{State, StateSet};

@@ -30,14 +30,14 @@ pub struct StatePatterns(
 );
 
 impl StatePatterns {
-    /// Every state that the word fits.
+    /// Every state that the word fits (S700, 3.4.3: two states have one pattern).
     #[inline]
     pub fn fitting(self, statusword: u16) -> StateSet {
         let fits = self.0.iter().filter(|(_, pattern)| pattern.matches(statusword));
         fits.fold(StateSet::NONE, |set, (state, _)| set.with(*state))
     }
 
-    /// The state that the word shows, if it fits just one.
+    /// The state that the word shows (CiA 402, state coding), if it fits just one.
     #[inline]
     pub fn decode(self, statusword: u16) -> Result<State, UnknownState> {
         let candidates = self.fitting(statusword);
@@ -58,7 +58,7 @@ impl StatePatterns {
     }
 }
 
-/// A statusword that does not tell the state.
+/// A statusword that does not tell the state (CiA 402, state coding).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct UnknownState {
     /// The word as it came.

@@ -24,13 +24,13 @@ pub struct Transition {
 }
 
 impl Transition {
-    /// Whether it leads from the one state to the other.
+    /// Whether it leads from the one state to the other (CiA 402, PDS FSA transitions).
     pub fn leads(&self, from: State, to: State) -> bool {
         self.from.contains(from) && self.to == to
     }
 }
 
-/// Which axes have to make a transition before the device does.
+/// Which axes have to make a transition before the device does (C887T0011, p. 10 and 12).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Coupling {
     /// Axes are independent, each has its own state.

@@ -30,7 +30,7 @@ pub struct Halt {
     stands: bool,
 }
 
-/// How far a halt has come.
+/// How far a halt has come (CiA 402, statusword bit 10 with halt).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum HaltProgress {
     /// No halt is given.

@@ -2,7 +2,7 @@
 
 use crate::cia402::{Output, Timing};
 
-/// The bits of homing in both words.
+/// The bits of homing in both words (CiA 402, homing mode).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct HomingBits {
     /// In the controlword: a rising edge starts, and the bit is held while homing lasts.
@@ -47,7 +47,7 @@ pub struct Homing {
     is_given: bool,
 }
 
-/// How far homing has come.
+/// How far homing has come (CiA 402, homing mode, statusword bits 10, 12 and 13).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum HomingProgress {
     /// Not asked for.
@@ -79,12 +79,13 @@ impl Homing {
         Self { bits, timing, progress: HomingProgress::Idle, cycles: 0, is_given: false }
     }
 
-    /// Asks for homing; begins once there is motion in homing mode, which the caller selects.
+    /// Asks for homing; begins once there is motion in homing mode, which the caller selects (CiA 402, homing mode,
+    /// controlword bit 4).
     pub const fn start(&mut self) {
         self.progress = HomingProgress::Starting;
     }
 
-    /// Ends homing, at whatever point: the start bit falls, on which the drive stops.
+    /// Ends homing, at whatever point: the start bit falls, on which the drive stops (CiA 402, homing mode).
     pub const fn abort(&mut self) {
         if self.progress.is_active() {
             self.progress = HomingProgress::Interrupted;

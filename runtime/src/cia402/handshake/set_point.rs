@@ -38,7 +38,7 @@ pub struct SetPoints {
     low: u16,
 }
 
-/// What a set-point means.
+/// What a set-point means (CiA 402, profile position mode, controlword bits 5 and 6).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Move {
     /// The target is a distance, not a position (bit 6).
@@ -57,7 +57,7 @@ impl Move {
     }
 }
 
-/// How far a set-point has come.
+/// How far a set-point has come (CiA 402, profile position mode, statusword bits 10 and 12).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SetPointProgress {
     /// There is none.

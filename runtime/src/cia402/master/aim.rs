@@ -16,7 +16,7 @@ pub enum Goal {
 }
 
 impl Goal {
-    /// All of them.
+    /// All of them, in the order in which a drive comes through them (CiA 402, PDS FSA).
     pub const ALL: [Self; 4] =
         [Self::SwitchOnDisabled, Self::ReadyToSwitchOn, Self::SwitchedOn, Self::OperationEnabled];
 

@@ -2,7 +2,8 @@
 
 use super::Progress;
 
-/// What came from the drive last, and what the caller did with [`Output::seed`].
+/// What came from the drive last, and what the caller did with [`Output::seed`] (CiA 402, statusword 0x6041 and modes of
+/// operation display 0x6061).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Feedback {
     /// The statusword, 0x6041.
@@ -13,7 +14,7 @@ pub struct Feedback {
     pub seeded: bool,
 }
 
-/// What is to be sent, and what the caller may do.
+/// What is to be sent, and what the caller may do (CiA 402, controlword 0x6040 and modes of operation 0x6060).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Output {
     /// The controlword, 0x6040, with the bits of the mode 0.

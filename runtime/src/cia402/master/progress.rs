@@ -42,7 +42,7 @@ pub struct Waiting {
     pub awaits: Awaited,
 }
 
-/// What has to come.
+/// What has to come (CiA 402, PDS FSA, and modes of operation display 0x6061).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Awaited {
     /// The drive has to make a transition that is commanded.
@@ -73,7 +73,8 @@ pub enum Awaited {
     },
 }
 
-/// Why a request is gone: the drive left the way to it.
+/// Why a request is gone: the drive left the way to it (CiA 402, transitions 12 to 14 and those back to switch on
+/// disabled).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Withdrawal {
     /// What was requested; none if it was a fault reset.

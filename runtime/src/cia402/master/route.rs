@@ -2,7 +2,7 @@
 
 use crate::cia402::{Command, Events, Machine, State, StateSet, Transition};
 
-/// How the master leads a drive out of the state operation enabled.
+/// How the master leads a drive out of the state operation enabled (CiA 402, transitions 5 and 11).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Leave {
     /// By disable operation, transition 5, which ramps down unless 0x605C says otherwise (CiA 402).
