@@ -1,11 +1,13 @@
 //! `devc build`
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use devc::Compilation;
 use devc::emit::{self, Emitter, Files};
-use devc::lint::Checked;
+use devc::lint::{Checked, Levels};
 use devc::model::Family;
 use devc::source::Disk;
 
@@ -14,6 +16,7 @@ use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
 use super::report::{Report, counts, verdict};
 use super::timings::Timings;
+use super::workers::Workers;
 use super::write::{Plan, Scope};
 
 /// Make the outputs of descriptions.
@@ -42,7 +45,7 @@ pub(super) struct Build {
     #[command(flatten)]
     levels: LevelArguments,
 
-    /// Print what each stage costs.
+    /// Print what each stage costs, on one core.
     #[arg(long)]
     timings: bool,
 }
@@ -53,26 +56,33 @@ fn emitters() -> PossibleValuesParser {
     PossibleValuesParser::new(values)
 }
 
+/// What was made of a description, before anything of it is said or written.
+struct Made {
+    compilation: Compilation,
+    files: Option<Files>,
+    timings: Timings,
+}
+
 impl Build {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let levels = self.levels.levels()?;
+        let paths = descriptions(&self.paths)?;
+        let workers = if self.timings { Workers::ONE } else { Workers::all() };
+        let mut made = workers.map(&paths, |path| self.make(path, &levels, workers));
         let mut outcome = Outcome::Clean;
-        let mut built: Vec<(String, PathBuf)> = Vec::new();
-        for path in descriptions(&self.paths)? {
-            let mut timings = Timings::start();
-            let compilation =
-                devc::compile_with(&Disk, &path, &levels, &mut |stage| timings.enter(stage.name()));
-            timings.stop();
-            report.diagnostics(&compilation);
-            outcome = outcome.max(verdict(&compilation, self.levels.deny_warnings));
+        let mut built: Vec<(&str, &Path)> = Vec::new();
+        for (path, Made { compilation, files, timings }) in paths.iter().zip(&mut made) {
+            let (compilation, files) = (&*compilation, &*files);
+            report.diagnostics(compilation);
+            outcome = outcome.max(verdict(compilation, self.levels.deny_warnings));
             let counts =
                 counts(&compilation.diagnostics).map(|counts| format!(", {counts}")).unwrap_or_default();
-            let Some(family) = compilation.family else {
+            let (Some(family), Some(files)) = (&compilation.family, files) else {
                 report.line(&format!("{}: nothing made{counts}", path.display()))?;
                 continue;
             };
-            claim(&mut built, &family.id, &path)?;
-            match self.family(&family, report, &mut timings) {
+            claim(&mut built, &family.id, path)?;
+            match self.write(&family.id, files, report, timings) {
                 Ok((found, did)) => {
                     outcome = outcome.max(found);
                     report.line(&format!("{}: {did}{counts}", path.display()))?;
@@ -86,17 +96,44 @@ impl Build {
         Ok(outcome)
     }
 
-    /// Makes the outputs of one description, and says what it did.
-    fn family(
+    /// Compiles a description and makes its outputs.
+    fn make(&self, path: &Path, levels: &Levels, workers: Workers) -> Made {
+        let mut timings = Timings::start();
+        let compilation = devc::compile_with(&Disk, path, levels, &mut |stage| timings.enter(stage.name()));
+        timings.stop();
+        let files = compilation.family.as_ref().map(|family| self.emit(family, &mut timings, workers));
+        Made { compilation, files, timings }
+    }
+
+    fn emit(&self, family: &Checked<Family>, timings: &mut Timings, workers: Workers) -> Files {
+        let wanted = |emitter: &&&dyn Emitter| {
+            self.emit.is_empty() || self.emit.iter().any(|name| name == emitter.name())
+        };
+        // the last takes longest, so it is begun first
+        let emitters: Vec<&dyn Emitter> = emit::ALL.iter().rev().filter(wanted).copied().collect();
+        let made = workers.map(&emitters, |emitter| {
+            let start = Instant::now();
+            (emit::emit(family, &[*emitter]), start.elapsed())
+        });
+        let mut files = Files::default();
+        for (emitter, (made, time)) in emitters.iter().zip(made).rev() {
+            timings.add(emitter.name(), time);
+            files.0.extend(made.0);
+        }
+        files
+    }
+
+    /// Writes the outputs of one description, and says what it did.
+    fn write(
         &self,
-        family: &Checked<Family>,
+        id: &str,
+        files: &Files,
         report: &Report,
         timings: &mut Timings,
     ) -> Result<(Outcome, String), Failure> {
-        let files = self.emit(family, timings);
         timings.enter(if self.check { "compare" } else { "write" });
         let scope = if self.emit.is_empty() { Scope::All } else { Scope::Some };
-        let plan = Plan::new(&self.out, &family.id, &files, scope)?;
+        let plan = Plan::new(&self.out, id, files, scope)?;
         if !self.check {
             plan.carry_out()?;
         }
@@ -109,24 +146,11 @@ impl Build {
         }
         Ok((Outcome::Clean, plan.summary()))
     }
-
-    fn emit(&self, family: &Checked<Family>, timings: &mut Timings) -> Files {
-        let wanted = |emitter: &&&dyn Emitter| {
-            self.emit.is_empty() || self.emit.iter().any(|name| name == emitter.name())
-        };
-        let mut files = Files::default();
-        for emitter in emit::ALL.iter().filter(wanted) {
-            timings.enter(emitter.name());
-            files.0.extend(emit::emit(family, &[*emitter]).0);
-        }
-        timings.stop();
-        files
-    }
 }
 
 /// Two descriptions whose folders share a name would overwrite each other's outputs.
-fn claim(built: &mut Vec<(String, PathBuf)>, id: &str, path: &Path) -> Result<(), Failure> {
-    if let Some((_, other)) = built.iter().find(|(name, _)| name == id) {
+fn claim<'a>(built: &mut Vec<(&'a str, &'a Path)>, id: &'a str, path: &'a Path) -> Result<(), Failure> {
+    if let Some((_, other)) = built.iter().find(|(name, _)| *name == id) {
         let what = format!(
             "`{}` and `{}` would both be written to the folder `{id}`",
             other.display(),
@@ -136,6 +160,6 @@ fn claim(built: &mut Vec<(String, PathBuf)>, id: &str, path: &Path) -> Result<()
             Failure::new(what).help("rename one of the folders, or build them with different `--out`")
         );
     }
-    built.push((id.to_owned(), path.to_owned()));
+    built.push((id, path));
     Ok(())
 }

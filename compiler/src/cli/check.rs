@@ -13,6 +13,7 @@ use super::levels::LevelArguments;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
 use super::report::{Report, counts, number, verdict};
+use super::workers::Workers;
 
 /// Say what is wrong with descriptions, and write nothing.
 #[derive(Debug, Args)]
@@ -67,8 +68,8 @@ impl Check {
                 }
             }
         }
-        let mut compilations: Vec<(PathBuf, Compilation)> =
-            paths.into_iter().map(|path| (path.clone(), compile(&path))).collect();
+        let compiled = Workers::all().map(&paths, compile);
+        let mut compilations: Vec<(PathBuf, Compilation)> = paths.into_iter().zip(compiled).collect();
         if let Some(path) = &self.baseline {
             if self.update_baseline {
                 return update(path, &compilations, report);

@@ -14,6 +14,7 @@ mod paths;
 mod report;
 mod rules;
 mod timings;
+mod workers;
 mod write;
 
 use std::process::ExitCode;

@@ -31,6 +31,11 @@ impl Timings {
         self.since = now;
     }
 
+    /// Adds a lap that was run elsewhere.
+    pub(super) fn add(&mut self, name: &str, time: Duration) {
+        self.laps.push((name.to_owned(), time));
+    }
+
     /// A table of the laps with their sum, in milliseconds.
     pub(super) fn table(&self, title: &str) -> String {
         let total = ("total", self.laps.iter().map(|(_, time)| *time).sum::<Duration>());
