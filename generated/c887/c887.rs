@@ -47,7 +47,7 @@ use ::devc_runtime::cia402::{
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
-    Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+    Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
 };
 use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
 use ::devc_runtime::{Device, error};

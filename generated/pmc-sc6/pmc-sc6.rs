@@ -39,7 +39,7 @@ pub mod double {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -2964,7 +2964,7 @@ pub mod double {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
-    impl FreePdo for FreeRxPdo1600 {
+    impl MappingObject for FreeRxPdo1600 {
         type Device = Double;
         type Direction = Rx;
 
@@ -2979,7 +2979,7 @@ pub mod double {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
-    impl FreePdo for FreeTxPdo1A00 {
+    impl MappingObject for FreeTxPdo1A00 {
         type Device = Double;
         type Direction = Tx;
 
@@ -5672,7 +5672,7 @@ pub mod single {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -8264,7 +8264,7 @@ pub mod single {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
-    impl FreePdo for FreeRxPdo1600 {
+    impl MappingObject for FreeRxPdo1600 {
         type Device = Single;
         type Direction = Rx;
 
@@ -8279,7 +8279,7 @@ pub mod single {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
-    impl FreePdo for FreeTxPdo1A00 {
+    impl MappingObject for FreeTxPdo1A00 {
         type Device = Single;
         type Direction = Tx;
 
@@ -10870,7 +10870,7 @@ pub mod double_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -13860,7 +13860,7 @@ pub mod double_hires {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
-    impl FreePdo for FreeRxPdo1600 {
+    impl MappingObject for FreeRxPdo1600 {
         type Device = DoubleHires;
         type Direction = Rx;
 
@@ -13875,7 +13875,7 @@ pub mod double_hires {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
-    impl FreePdo for FreeTxPdo1A00 {
+    impl MappingObject for FreeTxPdo1A00 {
         type Device = DoubleHires;
         type Direction = Tx;
 
@@ -16469,7 +16469,7 @@ pub mod single_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -19077,7 +19077,7 @@ pub mod single_hires {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
-    impl FreePdo for FreeRxPdo1600 {
+    impl MappingObject for FreeRxPdo1600 {
         type Device = SingleHires;
         type Direction = Rx;
 
@@ -19092,7 +19092,7 @@ pub mod single_hires {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
-    impl FreePdo for FreeTxPdo1A00 {
+    impl MappingObject for FreeTxPdo1A00 {
         type Device = SingleHires;
         type Direction = Tx;
 

@@ -36,7 +36,7 @@ pub mod s300 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -3921,7 +3921,7 @@ pub mod s300 {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
-    impl FreePdo for FreeRxPdo1600 {
+    impl MappingObject for FreeRxPdo1600 {
         type Device = S300;
         type Direction = Rx;
 
@@ -3936,7 +3936,7 @@ pub mod s300 {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
-    impl FreePdo for FreeTxPdo1A00 {
+    impl MappingObject for FreeTxPdo1A00 {
         type Device = S300;
         type Direction = Tx;
 
@@ -5764,7 +5764,7 @@ pub mod s400 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -10303,7 +10303,7 @@ pub mod s600 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -14842,7 +14842,7 @@ pub mod s700 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
     use ::devc_runtime::{Device, error};
@@ -18737,7 +18737,7 @@ pub mod s700 {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeRxPdo1600 {}
 
-    impl FreePdo for FreeRxPdo1600 {
+    impl MappingObject for FreeRxPdo1600 {
         type Device = S700;
         type Direction = Rx;
 
@@ -18752,7 +18752,7 @@ pub mod s700 {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FreeTxPdo1A00 {}
 
-    impl FreePdo for FreeTxPdo1A00 {
+    impl MappingObject for FreeTxPdo1A00 {
         type Device = S700;
         type Direction = Tx;
 

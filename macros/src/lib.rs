@@ -78,12 +78,18 @@ pub fn process_image(input: TokenStream) -> TokenStream {
 ///
 /// It gets `ProcessData`, `Pdo` with the mapping that the start-up list writes, and a view `SetpointsView`. A field
 /// without an entry has that of its name, in `objects` beside the free PDO. What does not compile: an entry that is
-/// not there, another device's, one of another type, one that cannot be mapped this way, more than the PDO takes.
+/// not there, another device's, one of another type, one that cannot be mapped this way, a PDO whose mapping is fixed,
+/// more than the PDO takes.
+///
+/// `#[pdo(objects::POSITION_SETPOINT, gap = 8)]` leaves 8 bits free in front of a field (ETG.1000.6, PDO mapping):
+/// they are sent as zeros and not read. Descriptions do not tell whether a device takes gaps; one that does not
+/// refuses the start-up list.
 ///
 /// | setting | meaning |
 /// |---|---|
 /// | `mapping = ..` | the free PDO, a type of the device's module |
 /// | `per_axis` | each axis has the PDO: entries are functions of the axis, called for each |
+/// | `gap = ..` | on a field: bits in front of it; on the struct: bits behind the last field; from 1 to 255 |
 /// | `runtime = ..` | the path of `devc-runtime`, by default `::devc_runtime` |
 #[proc_macro_derive(Pdo, attributes(pdo))]
 pub fn pdo(input: TokenStream) -> TokenStream {

@@ -5,6 +5,7 @@
 
 mod beneath;
 mod input;
+mod item;
 mod own_pdo;
 mod process_image;
 mod record;

@@ -1,4 +1,5 @@
-//! What `#[derive(Pdo)]` does: process data of a struct whose fields are entries mapped to a free PDO.
+//! What `#[derive(Pdo)]` does: process data of a struct whose fields are entries mapped to a free PDO, with gaps where
+//! the user wants them.
 //!
 //! The description is not read again: that an entry is there, is this device's, has the field's type and may be
 //! mapped is in the types of the device's module, and its limits are in constants.
@@ -6,16 +7,19 @@
 use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
 
+use super::item::Form;
 use super::record::{Field, Record};
 use super::settings::Settings;
 use super::{Fault, located};
 
-const EXAMPLE: &str =
-    "#[pdo(mapping = s700::FreeRxPdo1600)] pub struct Setpoints { pub controlword: Controlword }";
+const FORM: Form = Form {
+    attribute: "pdo",
+    expected: "expected a struct with named fields and no generics, such as `#[pdo(mapping = s700::FreeRxPdo1600)] pub struct Setpoints { pub controlword: Controlword }`",
+};
 
 /// Expands the derive on a struct whose fields are entries.
 pub fn own_pdo(input: TokenStream) -> TokenStream {
-    let pdo = Record::parse(input, "pdo", EXAMPLE).and_then(|record| OwnPdo::of(&record));
+    let pdo = Record::parse(input, &FORM).and_then(|record| OwnPdo::of(&record));
     pdo.map_or_else(|fault| fault.tokens(), |pdo| pdo.tokens())
 }
 
@@ -30,6 +34,8 @@ struct OwnPdo {
     /// The type of the axes, if each has the PDO.
     axis: Option<TokenStream>,
     fields: Vec<Mapped>,
+    /// Bits behind the last field.
+    gap: Option<u8>,
 }
 
 /// A field of it.
@@ -37,6 +43,8 @@ struct Mapped {
     name: Ident,
     span: Span,
     content: TokenStream,
+    /// Bits in front of it.
+    gap: Option<u8>,
     /// The typed entry, an expression, in which there may be an `axis`.
     entry: TokenStream,
     /// The first bit.
@@ -47,18 +55,21 @@ struct Mapped {
 
 impl OwnPdo {
     fn of(record: &Record) -> Result<Self, Fault> {
-        let settings = Settings::parse(&record.attributes, &["mapping", "per_axis", "runtime"])?;
-        let runtime = settings.runtime();
-        let missing = || Fault::new(record.name.span(), format!("which PDO is mapped? Write `{EXAMPLE}`"));
+        let settings = Settings::parse(&record.attributes, &["mapping", "per_axis", "gap", "runtime"])?;
+        let runtime = settings.runtime()?;
+        let missing = || {
+            Fault::new(record.name.span(), "which PDO is mapped? Add `#[pdo(mapping = s700::FreeRxPdo1600)]`")
+        };
         let free = settings.get("mapping").cloned().ok_or_else(missing)?;
         if record.fields.is_empty() {
-            return Err(Fault::new(record.name.span(), format!("nothing is mapped: expected `{EXAMPLE}`")));
+            let message = "nothing is mapped: expected fields such as `pub controlword: Controlword`";
+            return Err(Fault::new(record.name.span(), message));
         }
         let module = parent(&free);
         let axis = settings.get("per_axis").map(|_| quote!(#module Axis));
         let (mut fields, mut offset) = (Vec::new(), quote!(0));
         for field in &record.fields {
-            let mapped = Mapped::of(field, &module, axis.is_some(), &offset, &runtime);
+            let mapped = Mapped::of(field, &module, axis.is_some(), &offset, &runtime)?;
             offset = mapped.end.clone();
             fields.push(mapped);
         }
@@ -69,6 +80,7 @@ impl OwnPdo {
             free,
             axis,
             fields,
+            gap: settings.number("gap", "bits")?,
         })
     }
 
@@ -77,10 +89,21 @@ impl OwnPdo {
         quote!(#data #pdo #checks #view)
     }
 
+    /// The bit behind all.
+    fn end(&self) -> TokenStream {
+        let end = self.fields.last().map(|field| field.end.clone()).unwrap_or_default();
+        behind(end, self.gap)
+    }
+
     /// The bytes of all, an expression.
     fn length(&self) -> TokenStream {
-        let end = self.fields.last().map(|field| &field.end);
+        let end = self.end();
         quote!((#end).div_ceil(8))
+    }
+
+    /// How many entries and gaps there are.
+    fn count(&self) -> usize {
+        self.fields.iter().map(Mapped::count).sum::<usize>() + usize::from(self.gap.is_some())
     }
 
     fn data(&self) -> TokenStream {
@@ -95,8 +118,8 @@ impl OwnPdo {
         });
         quote! {
             impl #runtime::pdo::ProcessData for #name {
-                type Device = <#free as #runtime::pdo::FreePdo>::Device;
-                type Direction = <#free as #runtime::pdo::FreePdo>::Direction;
+                type Device = <#free as #runtime::pdo::MappingObject>::Device;
+                type Direction = <#free as #runtime::pdo::MappingObject>::Direction;
                 type Image = [u8; #length];
 
                 #[inline]
@@ -121,11 +144,15 @@ impl OwnPdo {
     /// Index and mapping, on each axis if there are some.
     fn pdo(&self) -> TokenStream {
         let (name, runtime, free) = (&self.name, &self.runtime, &self.free);
-        let count = Literal::usize_unsuffixed(self.fields.len());
+        let count = Literal::usize_unsuffixed(self.count());
+        let gap = |bits: &u8| quote!(#runtime::pdo::Mapping::gap(#bits),);
         let rows = self.fields.iter().map(|field| {
             let (content, entry, runtime) = (&field.content, &field.entry, located(runtime, field.span));
-            quote_spanned!(field.span=> #runtime::pdo::mapped::<#free, #content, _, _>(#entry))
+            let gap = field.gap.iter().map(gap);
+            let entry = quote_spanned!(field.span=> #runtime::pdo::mapped::<#free, #content, _, _>(#entry),);
+            quote!(#(#gap)* #entry)
         });
+        let rows = rows.chain(self.gap.iter().map(gap));
         let (axes, axis) = match &self.axis {
             Some(axis) => (quote!(#axis::ALL.len()), quote!(let axis = #axis::ALL[number];)),
             None => (quote!(1), TokenStream::new()),
@@ -139,14 +166,14 @@ impl OwnPdo {
                     let mut number = 0;
                     while number < AXES {
                         #axis
-                        table[number] = [#(#rows),*];
+                        table[number] = [#(#rows)*];
                         number += 1;
                     }
                     table
                 };
 
                 impl #runtime::pdo::Pdo for #name {
-                    const INDEX: u16 = <#free as #runtime::pdo::FreePdo>::INDICES[0];
+                    const INDEX: u16 = <#free as #runtime::pdo::MappingObject>::INDICES[0];
                     const MAPPING: &'static [#runtime::pdo::Mapping] = &TABLE[0];
                     const ALL: &'static [#runtime::pdo::MappedPdo] =
                         &#runtime::pdo::own::<#free, #count, AXES>(TABLE);
@@ -158,22 +185,27 @@ impl OwnPdo {
     /// What is too much, each at the field with which it is.
     fn checks(&self) -> TokenStream {
         let (runtime, free) = (&self.runtime, &self.free);
-        let of_fields = (1_usize..).zip(&self.fields).map(|(number, field)| {
-            let (end, number) = (&field.end, Literal::usize_unsuffixed(number));
-            let runtime = located(runtime, field.span);
-            quote_spanned! {field.span=>
-                const _: () = #runtime::pdo::check_entry::<#free>(#number, #end);
-            }
+        let mut number = 0;
+        let of_fields = self.fields.iter().map(|field| {
+            number += field.count();
+            (field.span, number, field.end.clone())
         });
+        let of_gap = self.gap.map(|_| (self.name.span(), self.count(), self.end()));
+        let limits: Vec<TokenStream> = of_fields
+            .chain(of_gap)
+            .map(|(span, number, end)| {
+                let (number, runtime) = (Literal::usize_unsuffixed(number), located(runtime, span));
+                quote_spanned!(span=> const _: () = #runtime::pdo::check_entry::<#free>(#number, #end);)
+            })
+            .collect();
         let axes = match &self.axis {
             Some(axis) => quote!(#axis::ALL.len()),
             None => quote!(1),
         };
-        let runtime = located(runtime, self.name.span());
-        let whole = quote_spanned! {self.name.span()=>
-            const _: () = #runtime::pdo::check_axes::<#free>(#axes);
-        };
-        quote!(#(#of_fields)* #whole)
+        let span = free.clone().into_iter().last().map_or_else(|| self.name.span(), |token| token.span());
+        let runtime = located(runtime, span);
+        let whole = quote_spanned!(span=> const _: () = #runtime::pdo::check_mapping::<#free>(#axes););
+        quote!(#(#limits)* #whole)
     }
 
     fn view(&self) -> TokenStream {
@@ -201,10 +233,11 @@ impl Mapped {
         per_axis: bool,
         offset: &TokenStream,
         runtime: &TokenStream,
-    ) -> Self {
+    ) -> Result<Self, Fault> {
         let (name, content) = (field.name.clone(), field.content.clone());
-        let entry = match field.attributes.first() {
-            Some(entry) => entry.clone(),
+        let (entry, settings) = Settings::beside(&field.attributes, &["gap"])?;
+        let entry = match entry {
+            Some(entry) => entry,
             None => {
                 let id = name.to_string();
                 let id = id.trim_start_matches("r#");
@@ -214,14 +247,29 @@ impl Mapped {
             }
         };
         let entry = if per_axis && is_function(&entry) { quote!(#entry(axis)) } else { entry };
+        let gap = settings.number("gap", "bits")?;
+        let offset = behind(offset.clone(), gap);
         let end = quote!(#offset + <#content as #runtime::object::Value>::BITS);
-        Self { span: field.span(), name, content, entry, offset: offset.clone(), end }
+        Ok(Self { span: field.span(), name, content, gap, entry, offset, end })
+    }
+
+    /// How many lines of the mapping it takes.
+    fn count(&self) -> usize {
+        1 + usize::from(self.gap.is_some())
     }
 
     /// Type, first bit and number of bits, as generic arguments.
     fn place(&self, runtime: &TokenStream) -> TokenStream {
         let (content, offset) = (&self.content, &self.offset);
         quote!(#content, { #offset }, { <#content as #runtime::object::Value>::BITS })
+    }
+}
+
+/// The bit behind a gap.
+fn behind(bit: TokenStream, gap: Option<u8>) -> TokenStream {
+    match gap.map(Literal::u8_unsuffixed) {
+        Some(gap) => quote!(#bit + #gap),
+        None => bit,
     }
 }
 

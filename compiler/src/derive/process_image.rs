@@ -3,18 +3,22 @@
 //! Only tokens are known here, no types; so lengths are sums of constants, and what the device forbids is found when
 //! these are evaluated.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
+use super::item::Form;
 use super::record::{Field, Record};
-use super::settings::Settings;
+use super::settings::{Settings, number};
 use super::{Fault, located};
 
-const EXAMPLE: &str = "pub struct Outputs { pub axes: [RxPdo1600; 6] }";
+const FORM: Form = Form {
+    attribute: "image",
+    expected: "expected a struct with named fields and no generics, such as `pub struct Outputs { pub axes: [RxPdo1600; 6] }`",
+};
 
 /// Expands the derive on a struct whose fields are PDOs or arrays of PDOs.
 pub fn process_image(input: TokenStream) -> TokenStream {
-    let image = Record::parse(input, "image", EXAMPLE).and_then(|record| Image::of(&record));
+    let image = Record::parse(input, &FORM).and_then(|record| Image::of(&record));
     image.map_or_else(|fault| fault.tokens(), |image| image.tokens())
 }
 
@@ -46,7 +50,7 @@ struct Part {
 impl Image {
     fn of(record: &Record) -> Result<Self, Fault> {
         let settings = Settings::parse(&record.attributes, &["runtime"])?;
-        let runtime = settings.runtime();
+        let runtime = settings.runtime()?;
         let (mut parts, mut offset, mut place) = (Vec::new(), quote!(0), 0);
         for field in &record.fields {
             let part = Part::of(field, &offset, place)?;
@@ -57,7 +61,8 @@ impl Image {
             parts.push(part);
         }
         if parts.is_empty() {
-            return Err(Fault::new(record.name.span(), format!("no PDO is in it: expected `{EXAMPLE}`")));
+            let message = "no PDO is in it: expected fields such as `pub axes: [RxPdo1600; 6]`";
+            return Err(Fault::new(record.name.span(), message));
         }
         Ok(Self { name: record.name.clone(), visibility: record.visibility.clone(), runtime, parts })
     }
@@ -172,7 +177,7 @@ impl Part {
     fn of(field: &Field, offset: &TokenStream, place: usize) -> Result<Self, Fault> {
         let settings = Settings::parse(&field.attributes, &["axis"])?;
         let (pdo, count) = match field.array() {
-            Some((pdo, count)) => (pdo, Some(literal(count)?)),
+            Some((pdo, count)) => (pdo, Some(number(&count, field.span(), "PDOs")?.into())),
             None => (field.content.clone(), None),
         };
         let axis = settings.get("axis").map_or_else(|| quote!(0), |axis| quote!(((#axis) as u8)));
@@ -236,17 +241,5 @@ impl Part {
             None => quote!((#pdo)),
         };
         quote!(#name, #name_mut: #content => #offset;)
-    }
-}
-
-/// The number that a literal is: that many patterns are written out.
-fn literal(tokens: TokenStream) -> Result<usize, Fault> {
-    let mut tokens = tokens.into_iter();
-    let (token, rest) = (tokens.next(), tokens.next());
-    let span = token.as_ref().map_or_else(Span::call_site, TokenTree::span);
-    let number = token.and_then(|token| token.to_string().parse().ok()).filter(|_| rest.is_none());
-    match number {
-        Some(number @ 1..=255) => Ok(number),
-        _ => Err(Fault::new(span, "expected the number of PDOs in digits, from 1 to 255")),
     }
 }

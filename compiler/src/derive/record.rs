@@ -1,15 +1,14 @@
 //! Reading a struct with named fields, as the user wrote it.
 
-use std::iter::Peekable;
-
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use super::Fault;
+use super::item::{Form, Item, Tokens, attributes, visibility};
 
 /// A struct with named fields and without generics.
 #[derive(Debug)]
 pub(super) struct Record {
-    /// The content of each attribute of the name asked for.
+    /// The content of each attribute of the derive.
     pub(super) attributes: Vec<TokenStream>,
     /// `pub` or less.
     pub(super) visibility: TokenStream,
@@ -20,7 +19,7 @@ pub(super) struct Record {
 /// A field of it.
 #[derive(Debug)]
 pub(super) struct Field {
-    /// The content of each attribute of the name asked for.
+    /// The content of each attribute of the derive.
     pub(super) attributes: Vec<TokenStream>,
     pub(super) name: Ident,
     pub(super) content: TokenStream,
@@ -54,64 +53,23 @@ impl Field {
 }
 
 impl Record {
-    /// Reads a struct; `attribute` is the name of the attributes that are kept, `example` one for the message.
-    pub(super) fn parse(tokens: TokenStream, attribute: &str, example: &str) -> Result<Self, Fault> {
-        let mut tokens = tokens.into_iter().peekable();
-        let attributes = attributes(&mut tokens, attribute)?;
-        let visibility = visibility(&mut tokens);
-        let (keyword, name, body) = (tokens.next(), tokens.next(), tokens.next());
-        match (keyword, name, body) {
-            (Some(TokenTree::Ident(keyword)), Some(TokenTree::Ident(name)), Some(TokenTree::Group(body)))
-                if keyword == "struct" && body.delimiter() == Delimiter::Brace =>
-            {
-                let fields = fields(body.stream(), attribute)?;
+    pub(super) fn parse(tokens: TokenStream, form: &Form) -> Result<Self, Fault> {
+        let Item { attributes, visibility, name, body } = Item::parse(tokens, form)?;
+        match body {
+            TokenTree::Group(body) if body.delimiter() == Delimiter::Brace => {
+                let fields = fields(body.stream(), form)?;
                 Ok(Self { attributes, visibility, name, fields })
             }
-            (keyword, name, _) => {
-                let span = name.or(keyword).map_or_else(Span::call_site, |token| token.span());
-                let message =
-                    format!("expected a struct with named fields and no generics, such as `{example}`");
-                Err(Fault::new(span, message))
-            }
+            _ => Err(Fault::new(name.span(), form.expected)),
         }
     }
 }
 
-type Tokens = Peekable<proc_macro2::token_stream::IntoIter>;
-
-/// The attributes ahead, of which those of the name are kept.
-fn attributes(tokens: &mut Tokens, name: &str) -> Result<Vec<TokenStream>, Fault> {
-    let mut kept = Vec::new();
-    while let Some(TokenTree::Punct(_)) = tokens.peek() {
-        tokens.next();
-        let Some(TokenTree::Group(attribute)) = tokens.next() else { continue };
-        let mut content = attribute.stream().into_iter();
-        match (content.next(), content.next()) {
-            (Some(TokenTree::Ident(word)), Some(TokenTree::Group(list))) if word == name => {
-                kept.push(list.stream());
-            }
-            (Some(TokenTree::Ident(word)), _) if word == name => {
-                return Err(Fault::new(word.span(), format!("expected `{name}(..)`")));
-            }
-            _ => {}
-        }
-    }
-    Ok(kept)
-}
-
-fn visibility(tokens: &mut Tokens) -> TokenStream {
-    let is_word = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "pub");
-    let is_scope = |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis);
-    let word = tokens.next_if(is_word);
-    let scope = word.as_ref().and_then(|_| tokens.next_if(is_scope));
-    word.into_iter().chain(scope).collect()
-}
-
-fn fields(body: TokenStream, attribute: &str) -> Result<Vec<Field>, Fault> {
+fn fields(body: TokenStream, form: &Form) -> Result<Vec<Field>, Fault> {
     let mut tokens = body.into_iter().peekable();
     let mut fields = Vec::new();
     while tokens.peek().is_some() {
-        let attributes = attributes(&mut tokens, attribute)?;
+        let attributes = attributes(&mut tokens, form)?;
         visibility(&mut tokens);
         let name = match (tokens.next(), tokens.next()) {
             (Some(TokenTree::Ident(name)), Some(TokenTree::Punct(colon))) if colon.as_char() == ':' => name,

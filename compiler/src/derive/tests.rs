@@ -58,8 +58,11 @@ fn errors_of_the_description_are_errors_of_the_code() {
 fn what_cannot_be_read_is_answered_with_an_error() {
     let inputs = [
         ("pub struct Drive;", "which device is `Drive`?"),
-        ("#[device] pub struct Drive;", "expected `device(path"),
-        ("#[device(path)] pub struct Drive;", "expected a setting"),
+        ("#[device] pub struct Drive;", "expected `device(..)`"),
+        ("#[device(path)] pub struct Drive;", "a plain text"),
+        ("#[device(\"a\")] pub struct Drive;", "expected a setting"),
+        ("#[device(path \"a\")] pub struct Drive;", "expected `=` or a comma"),
+        ("#[device(pth)] pub struct Drive;", "no setting `pth`"),
         ("#[device(path = 5)] pub struct Drive;", "a plain text"),
         ("#[device(path = \"a\\n\")] pub struct Drive;", "a plain text"),
         ("#[device(path = \"a\", path = \"b\")] pub struct Drive;", "set twice"),

@@ -2,15 +2,15 @@ use devc_runtime::Device;
 use devc_runtime::pdo::ProcessImage;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/c887")]
+#[device(path = "devices/c887")]
 pub struct C887;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/s700", member = "s700")]
+#[device(path = "devices/s700", member = "s700")]
 pub struct S700;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/pmc-sc6", member = "double")]
+#[device(path = "devices/pmc-sc6", member = "double")]
 pub struct Sc6;
 
 /// Both PDOs of an axis, and one twice.

@@ -2,11 +2,11 @@ use devc_runtime::Device;
 use devc_runtime::pdo::Pdo;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/s700", member = "s700")]
+#[device(path = "devices/s700", member = "s700")]
 pub struct S700;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/pmc-sc6", member = "double")]
+#[device(path = "devices/pmc-sc6", member = "double")]
 pub struct Sc6;
 
 /// Another type, what cannot be received, what is not there, and what is another device's.
@@ -71,13 +71,21 @@ pub struct One {
     pub controlword: sc6::Controlword,
 }
 
+/// A PDO whose mapping is fixed.
 #[derive(Clone, Copy, Pdo)]
-pub struct Unnamed {
+#[pdo(mapping = s700::RxPdo1701)]
+pub struct Fixed {
     pub controlword: s700::Controlword,
 }
 
+/// 65 bytes with the gaps.
 #[derive(Clone, Copy, Pdo)]
-#[pdo(mapping = s700::FreeRxPdo1600)]
-pub struct Nothing {}
+#[pdo(mapping = s700::FreeRxPdo1600, gap = 8)]
+pub struct Gaps {
+    #[pdo(gap = 248)]
+    pub controlword: s700::Controlword,
+    #[pdo(s700::objects::POSITION_SETPOINT, gap = 216)]
+    pub position: i32,
+}
 
 fn main() {}

@@ -1,7 +1,7 @@
 use devc_runtime::Device;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/c887")]
+#[device(path = "devices/c887")]
 pub struct C887;
 
 fn main() {

@@ -1,7 +1,7 @@
 use devc_runtime::Device;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/c888")]
+#[device(path = "devices/c888")]
 pub struct C888;
 
 fn main() {

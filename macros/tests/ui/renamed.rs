@@ -5,7 +5,7 @@ mod fieldbus {
 use fieldbus::runtime::Device;
 
 #[derive(Device)]
-#[device(path = "../../../../devices/c887", runtime = "crate::fieldbus::runtime", module = "hexapod")]
+#[device(path = "devices/c887", runtime = "crate::fieldbus::runtime", module = "hexapod")]
 pub struct Controller;
 
 fn main() {

@@ -1,7 +1,7 @@
 use devc_runtime::Device;
 
 #[derive(Device)]
-#[device(path = "../../../../macros/tests/ui/typo")]
+#[device(path = "typo")]
 pub struct Drive;
 
 fn main() {

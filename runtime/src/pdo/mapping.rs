@@ -77,6 +77,11 @@ pub struct Mapping {
 }
 
 impl Mapping {
+    /// Bits that nobody reads or writes (ETG.1000.6, PDO mapping: index 0, subindex 0).
+    pub const fn gap(bits: u8) -> Self {
+        Self { address: Address::new(0, 0), bits }
+    }
+
     /// Index, subindex and length in one number, the value of the mapping object's subindex.
     pub const fn word(self) -> u32 {
         let [high, low] = self.address.index.to_be_bytes();

@@ -29,4 +29,4 @@ pub use direction::{Direction, Rx, Tx};
 pub use image::{Carries, ProcessImage, SameDevice, SameDirection, SyncManager, check_image, check_pdo};
 pub use in_place::{InPlace, View, ViewMut};
 pub use mapping::{MappedPdo, Mapping, Pdo};
-pub use own::{FreePdo, MapsTo, RxTx, Unmapped, check_axes, check_entry, mapped, own};
+pub use own::{MappingObject, MapsTo, RxTx, Unmapped, check_entry, check_mapping, mapped, own};

@@ -1,27 +1,40 @@
 //! Own mappings: what is put into a PDO whose mapping is free.
 
 use super::image::refuse;
-use super::{Direction, MappedPdo, Mapping, Rx, Tx};
+use super::{Direction, MappedPdo, Mapping, Pdo, Rx, Tx};
 use crate::Device;
 use crate::object::{Entry, Value};
 use crate::text::Text;
 
-/// A PDO whose mapping the user chooses. `#[derive(Pdo)]` makes process data of it.
+/// What a user may put into a PDO. The module of a device has a type for each whose mapping is free, such as
+/// `FreeRxPdo1600`; `#[derive(Pdo)]` makes process data of it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no PDO whose mapping is free",
     note = "the module of a device has a type for each that it lets a master map, such as `FreeRxPdo1600`"
 )]
-pub trait FreePdo {
+pub trait MappingObject {
     /// The device that has it.
     type Device: Device;
     /// Which way it goes.
     type Direction: Direction;
     /// The mapping object of each axis, or the only one.
     const INDICES: &'static [u16];
+    /// Whether a master may map it.
+    const IS_FREE: bool = true;
     /// The largest number of bytes, if the description says.
     const MAX_BYTES: Option<u16>;
     /// The largest number of entries, if the description says.
     const MAX_ENTRIES: Option<u8>;
+}
+
+/// The PDOs that are mapped already: who names one of them is told so once, not wherever it would have to be free.
+impl<P: Pdo> MappingObject for P {
+    type Device = P::Device;
+    type Direction = P::Direction;
+    const INDICES: &'static [u16] = &[P::INDEX];
+    const IS_FREE: bool = false;
+    const MAX_BYTES: Option<u16> = None;
+    const MAX_ENTRIES: Option<u8> = None;
 }
 
 /// An entry that is in no PDO.
@@ -47,38 +60,44 @@ impl MapsTo<Tx> for RxTx {}
 
 /// The entry as what is mapped to a free PDO: it has to be of the same device, to have the field's type, and to be
 /// one that may be mapped this way.
-pub const fn mapped<F: FreePdo, T: Value, A, M: MapsTo<F::Direction>>(
+pub const fn mapped<F: MappingObject, T: Value, A, M: MapsTo<F::Direction>>(
     entry: Entry<F::Device, T, A, M>,
 ) -> Mapping {
     Mapping { address: entry.address(), bits: T::BITS as u8 }
 }
 
-/// Refuses what is mapped beyond the limits: up to this field there are so many entries with so many bits.
+/// Refuses what is mapped beyond the limits: up to here there are so many entries with so many bits.
 ///
-/// For the derive, which calls it for each field in a constant.
+/// For the derive, which calls it for each field and for the gap behind them in a constant.
 #[track_caller]
-pub const fn check_entry<F: FreePdo>(entries: usize, bits: usize) {
+pub const fn check_entry<F: MappingObject>(entries: usize, bits: usize) {
     let Some(index) = F::INDICES.first() else { return };
     let bytes = bits.div_ceil(8);
     if let Some(max) = F::MAX_BYTES
         && bytes > max as usize
     {
-        let text = Text::new().text("with this field the PDO has ").number(bytes).text(" bytes, ");
+        let text = Text::new().text("with this the PDO has ").number(bytes).text(" bytes, ");
         refuse(text.hex(*index).text(" takes ").number(max as usize));
     }
     if let Some(max) = F::MAX_ENTRIES
         && entries > max as usize
     {
-        let text = Text::new().text("with this field the PDO has ").number(entries).text(" entries, ");
+        let text = Text::new().text("with this the PDO has ").number(entries).text(" entries, ");
         refuse(text.hex(*index).text(" takes ").number(max as usize));
     }
 }
 
-/// Refuses a mapping that is for one axis if there is a PDO for each.
+/// Refuses a mapping of a PDO that is fixed, and one that is for one axis if there is a PDO for each.
 ///
 /// For the derive, which calls it in a constant.
 #[track_caller]
-pub const fn check_axes<F: FreePdo>(axes: usize) {
+pub const fn check_mapping<F: MappingObject>(axes: usize) {
+    if !F::IS_FREE {
+        let text = Text::new().list(F::INDICES);
+        refuse(text.text(
+            " has a fixed mapping; the module has a type for each that is free, such as `FreeRxPdo1600`",
+        ));
+    }
     if F::INDICES.len() != axes {
         let text = Text::new().text("each axis has this PDO: ").list(F::INDICES);
         refuse(text.text("; map it with `per_axis`"));
@@ -86,7 +105,7 @@ pub const fn check_axes<F: FreePdo>(axes: usize) {
 }
 
 /// The PDO of each axis with its own mapping.
-pub const fn own<F: FreePdo, const FIELDS: usize, const AXES: usize>(
+pub const fn own<F: MappingObject, const FIELDS: usize, const AXES: usize>(
     table: &'static [[Mapping; FIELDS]; AXES],
 ) -> [MappedPdo; AXES] {
     let mut pdos = [MappedPdo { index: 0, mapping: &[], is_own: true }; AXES];

@@ -42,6 +42,21 @@ pub(crate) struct Velocity {
     pub(crate) velocity: i16,
 }
 
+/// With bits that belong to nothing in front, between and behind.
+#[derive(Debug, Clone, Copy, PartialEq, Pdo)]
+#[pdo(mapping = s700::FreeRxPdo1600, gap = 4)]
+pub(crate) struct Gaps {
+    #[pdo(gap = 8)]
+    pub(crate) controlword: Controlword,
+    #[pdo(objects::POSITION_SETPOINT, gap = 20)]
+    pub(crate) position: i32,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, ProcessImage)]
+pub(crate) struct WithGaps {
+    pub(crate) gaps: Gaps,
+}
+
 /// 3.6.1: interpolated position mode, 2 ms.
 const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().mode(1).cycle_ns::<2_000_000>();
 const LIST: [Write; CHOICE.len()] = CHOICE.writes();
@@ -128,4 +143,35 @@ fn each_axis_has_the_mapping_of_its_own_objects() {
     assert_eq!(words(1), [0x6840_0010, 0x6860_0008, 0x6842_0010]);
     let indices: Vec<u16> = Velocity::ALL.iter().map(|pdo| pdo.index).collect();
     assert_eq!(indices, double::RxPdo1600::ALL.iter().map(|pdo| pdo.index).collect::<Vec<_>>());
+}
+
+/// ETG.1000.6, PDO mapping: a gap is a line with index 0, subindex 0 and the bits.
+#[test]
+fn gaps_are_lines_of_the_mapping() {
+    const LIST: [Write; StartUp::of::<WithGaps, Inputs>().len()] = StartUp::of::<WithGaps, Inputs>().writes();
+    let of_mapping = LIST.iter().filter(|write| write.address.index == 0x1600);
+    let written: Vec<_> = of_mapping.map(|write| (write.address.subindex, write.data())).collect();
+    let words: [u32; 5] = [0x0000_0008, 0x6040_0010, 0x0000_0014, 0x60C1_0020, 0x0000_0004];
+    let words = words.map(u32::to_le_bytes);
+    let lines = (1..).zip(words.iter().map(<[u8; 4]>::as_slice));
+    assert!(
+        written.into_iter().eq([(0, [0].as_slice())].into_iter().chain(lines).chain([(0, [5].as_slice())]))
+    );
+}
+
+#[test]
+fn gaps_are_sent_as_zeros_and_not_read() {
+    assert_eq!((Gaps::LEN, WithGaps::LEN), (10, 10));
+    let gaps = Gaps { controlword: Controlword(0x0201), position: 0x7654_3210 };
+    let packed = [0, 0x01, 0x02, 0, 0, 0x00, 0x21, 0x43, 0x65, 0x07];
+    assert_eq!(gaps.pack(), packed);
+    assert_eq!(Gaps::unpack(packed), gaps);
+    let of_others = [0xFF, 0, 0, 0xFF, 0xFF, 0x0F, 0, 0, 0, 0xF0];
+    let filled: [u8; 10] = core::array::from_fn(|at| packed[at] | of_others[at]);
+    assert_eq!(Gaps::unpack(filled), gaps);
+    let mut frame = of_others;
+    let mut view = Gaps::view(&mut frame);
+    view.set_controlword(gaps.controlword);
+    view.set_position(gaps.position);
+    assert_eq!(frame, filled);
 }

@@ -35,7 +35,7 @@ fn item(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum #name {}
 
-        impl FreePdo for #name {
+        impl MappingObject for #name {
             type Device = #marker;
             type Direction = #direction;
             const INDICES: &'static [u16] = &[#(#indices),*];

@@ -26,7 +26,7 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         use #runtime::error::{ErrorInfo, ErrorRange};
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{
-            Carries, FreePdo, MappedPdo, Mapping, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+            Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
         };
         use #runtime::start_up::{AxisObjects, BringUp, Write};
         use #runtime::{Device, error};
