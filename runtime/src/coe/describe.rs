@@ -6,7 +6,9 @@ use super::request::entry;
 use super::transfer::Transfer;
 use super::writer::Writer;
 use super::{EntryDescription, Information, ListKind, ObjectDescription, Operation};
-use crate::sdo::{AbortCode, Access, DataType, Dictionary, Hooks, Names, ObjectCode, ObjectInfo, Values};
+use crate::sdo::{
+    AbortCode, Access, DataType, Dictionary, Hooks, Names, ObjectCode, ObjectInfo, Values, found,
+};
 
 /// Bytes in front of the indices of a piece; those after the first have two less.
 const LIST_HEAD: usize = 14;
@@ -119,7 +121,7 @@ fn object<V: Values>(names: &Names, asked: &[u8], envelope: Envelope, answer: &m
 
 fn described<V: Values>(names: &Names, asked: &[u8], envelope: Envelope, answer: &mut [u8]) -> Answered {
     let (address, _) = entry(asked)?;
-    let found = match V::TABLE.find(address) {
+    let found = match found::<V>(address) {
         Ok(found) => found.entry,
         Err(code) => return Ok(Err(code)),
     };

@@ -1,6 +1,6 @@
 //! Transfers of whole objects (ETG.1000.6, complete access).
 
-use super::server::check;
+use super::server::{check, found};
 use super::values::Scratch;
 use super::{AbortCode, CommunicationState, EntryInfo, Hooks, ObjectCode, ObjectInfo, Part, Server, Values};
 use crate::bytes::WrongLength;
@@ -61,7 +61,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         for entry in entries(object, from.subindex, count) {
             let end = part.total().saturating_add(width(entry));
             if entry.access.check_read(state).is_ok() {
-                let found = V::TABLE.find(Address::new(from.index, entry.subindex))?;
+                let found = found::<V>(Address::new(from.index, entry.subindex))?;
                 part.put(self.value(found, &mut Scratch::default())?);
             }
             while part.total() < end {
@@ -95,13 +95,13 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
             return Err(WrongLength { expected: length, found: data.len() }.into());
         }
         for (to, data) in pieces(0, u8::MAX) {
-            let found = V::TABLE.find(to)?;
+            let found = found::<V>(to)?;
             if found.entry.access.check_write(state).is_ok() {
                 check::<V>(found, data)?;
             }
         }
         for (to, data) in pieces(1, u8::MAX).chain(pieces(0, 0)) {
-            let found = V::TABLE.find(to)?;
+            let found = found::<V>(to)?;
             if found.entry.access.check_write(state).is_ok() {
                 self.write(found, to, data)?;
             }
@@ -126,7 +126,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 
     /// The present number of entries.
     fn count(&mut self, index: u16) -> Result<u8, AbortCode> {
-        let found = V::TABLE.find(Address::new(index, 0))?;
+        let found = found::<V>(Address::new(index, 0))?;
         let mut scratch = Scratch::default();
         Ok(self.value(found, &mut scratch)?.first().copied().unwrap_or(0))
     }

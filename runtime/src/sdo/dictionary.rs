@@ -85,13 +85,19 @@ impl Dictionary {
     /// Finds an object.
     #[inline]
     pub fn object(&self, index: u16) -> Option<&'static ObjectInfo> {
-        self.page_and_object(index).map(|(_, object)| object)
+        let [low, high] = index.to_le_bytes();
+        self.page(high)?.object(low)
     }
 
     /// Finds an entry; if there is none, the abort code tells whether the object or the subindex is missing.
-    #[inline]
+    ///
+    /// It takes the same few steps however many objects there are, and is small enough to be inlined where code is
+    /// built for size.
+    #[inline(always)]
     pub fn find(&self, address: Address) -> Result<Found, AbortCode> {
-        let (page, object) = self.page_and_object(address.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
+        let [low, high] = address.index.to_le_bytes();
+        let page = self.page(high).ok_or(AbortCode::NO_SUCH_OBJECT)?;
+        let object = page.object(low).ok_or(AbortCode::NO_SUCH_OBJECT)?;
         let entry = object.entry(address.subindex).ok_or(AbortCode::NO_SUCH_SUBINDEX)?;
         Ok(Found { object, entry, axis: page.axis.wrapping_add(object.axis) })
     }
@@ -120,14 +126,7 @@ impl Dictionary {
         Some(((*page).into(), (*object).into()))
     }
 
-    #[inline]
-    fn page_and_object(&self, index: u16) -> Option<(&'static Page, &'static ObjectInfo)> {
-        let [low, high] = index.to_le_bytes();
-        let page = self.page(high)?;
-        Some((page, page.object(low)?))
-    }
-
-    #[inline]
+    #[inline(always)]
     fn page(&self, high: u8) -> Option<&'static Page> {
         let position = self.directory.get(usize::from(high))?;
         self.pages.get(usize::from(*position))
@@ -136,7 +135,7 @@ impl Dictionary {
 
 impl Page {
     /// An index below the first wraps to a place behind the last.
-    #[inline]
+    #[inline(always)]
     fn object(&self, low: u8) -> Option<&'static ObjectInfo> {
         let offset = low.wrapping_sub(self.first);
         let position = self.slots.get(usize::from(offset))?;

@@ -31,5 +31,6 @@ pub use names::Names;
 pub use part::Part;
 pub use range::{Limits, Range};
 pub use server::Server;
+pub(crate) use server::found;
 pub use table::{EntryInfo, ObjectCode, ObjectInfo};
 pub use values::{Place, Slot, Values};

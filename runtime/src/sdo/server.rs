@@ -50,7 +50,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 
     /// Lets the firmware compute an entry that is going to be read.
     pub(crate) fn prepare(&mut self, address: Address, state: CommunicationState) -> Result<(), AbortCode> {
-        V::TABLE.find(address)?.entry.access.check_read(state)?;
+        found::<V>(address)?.entry.access.check_read(state)?;
         self.hooks.before_upload(&mut self.values, address)
     }
 
@@ -61,7 +61,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         part: &mut Part<'_>,
     ) -> Result<(), AbortCode> {
-        let found = V::TABLE.find(address)?;
+        let found = found::<V>(address)?;
         found.entry.access.check_read(state)?;
         part.put(self.value(found, &mut Scratch::default())?);
         Ok(())
@@ -74,7 +74,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         data: &[u8],
     ) -> Result<(), AbortCode> {
-        let found = V::TABLE.find(address)?;
+        let found = found::<V>(address)?;
         found.entry.access.check_write(state)?;
         check::<V>(found, data)?;
         self.write(found, address, data)
@@ -87,7 +87,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         length: usize,
     ) -> Result<(), AbortCode> {
-        let found = V::TABLE.find(address)?;
+        let found = found::<V>(address)?;
         found.entry.access.check_write(state)?;
         if length > usize::from(found.entry.bytes()) { Err(AbortCode::LENGTH_TOO_HIGH) } else { Ok(()) }
     }
@@ -117,6 +117,11 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         let end = bytes.iter().rposition(|byte| *byte != 0).map_or(0, |last| last.saturating_add(1));
         Ok(bytes.get(..end).unwrap_or(bytes))
     }
+}
+
+/// Finds an entry. Lookups are inlined; those of the server are all made here, so that a firmware has one.
+pub(crate) fn found<V: Values>(address: Address) -> Result<Found, AbortCode> {
+    V::TABLE.find(address)
 }
 
 /// Whether data has the length and the value that the table asks for.

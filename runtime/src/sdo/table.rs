@@ -94,15 +94,12 @@ impl EntryInfo {
 }
 
 impl ObjectInfo {
-    /// Finds an entry: at once where no subindex before it is missing, else by halving.
-    #[inline]
+    /// Finds an entry: at once where no subindex before it is missing, else in as many steps as are missing.
+    #[inline(always)]
     pub fn entry(&self, subindex: u8) -> Option<&'static EntryInfo> {
         match self.entries.get(usize::from(subindex)) {
             Some(entry) if entry.subindex == subindex => Some(entry),
-            _ => {
-                let position = self.entries.binary_search_by_key(&subindex, |entry| entry.subindex).ok()?;
-                self.entries.get(position)
-            }
+            _ => behind_gap(self.entries, subindex),
         }
     }
 
@@ -120,4 +117,11 @@ impl ObjectInfo {
         let from = constants.get(offset..).unwrap_or_default();
         from.get(..usize::from(entry.bytes())).unwrap_or(from)
     }
+}
+
+/// Finds an entry before which subindices are missing: they ascend, so it is before the position of its own number.
+fn behind_gap(entries: &'static [EntryInfo], subindex: u8) -> Option<&'static EntryInfo> {
+    let candidates = entries.get(..usize::from(subindex)).unwrap_or(entries);
+    let entry = candidates.iter().rfind(|entry| entry.subindex <= subindex)?;
+    (entry.subindex == subindex).then_some(entry)
 }
