@@ -1,6 +1,7 @@
 //! One subject after another, each often; [`next_subject`] stands between them, so that callgrind tells them apart.
 //!
-//! Without an argument it prints the names of the subjects, in their order; with a number it runs each so often.
+//! Without an argument it prints the names of the subjects, in their order; with a number it runs each so often; with
+//! another argument it prints where the functions of the subjects are.
 
 mod lookup;
 mod packing;
@@ -12,9 +13,20 @@ use std::hint::black_box;
 #[path = "../../../generated/c887/c887.rs"]
 mod c887;
 
-/// What is measured, or named.
+/// The generated module of the family of the PMC SC6.
+#[rustfmt::skip]
+#[path = "../../../generated/pmc-sc6/pmc-sc6.rs"]
+mod pmc_sc6;
+
+/// The generated module of the family of the S700.
+#[rustfmt::skip]
+#[path = "../../../generated/s700/s700.rs"]
+mod s700;
+
+/// What is measured, named or found.
 pub enum Task {
     Name,
+    Find,
     Run(u32),
 }
 
@@ -23,12 +35,21 @@ impl Task {
     pub fn subject(&self, name: &str, mut subject: impl FnMut()) {
         match self {
             Self::Name => println!("{name}"),
+            Self::Find => {}
             Self::Run(rounds) => {
                 next_subject();
                 for _ in 0..*rounds {
                     subject();
                 }
             }
+        }
+    }
+
+    /// Says where the function of a subject is, counted from [`next_subject`].
+    pub fn function(&self, name: &str, address: usize) {
+        if let Self::Find = self {
+            let from = next_subject as fn() as usize;
+            println!("{} {name}", address.wrapping_sub(from) as isize);
         }
     }
 }
@@ -40,8 +61,11 @@ fn next_subject() {
 }
 
 fn main() {
-    let rounds = std::env::args().nth(1).and_then(|rounds| rounds.parse().ok());
-    let task = rounds.map_or(Task::Name, Task::Run);
+    let task = match std::env::args().nth(1).map(|argument| argument.parse()) {
+        None => Task::Name,
+        Some(Ok(rounds)) => Task::Run(rounds),
+        Some(Err(_)) => Task::Find,
+    };
     packing::run(&task);
     lookup::run(&task);
     task.subject("end", || {});

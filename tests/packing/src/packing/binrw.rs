@@ -4,45 +4,42 @@ use std::io::Cursor;
 
 use binrw::{BinRead, BinWrite};
 
-use super::{INPUTS, OUTPUTS};
+use super::images::images;
+use super::{Image, Pack, Unpack};
 
-#[derive(Debug, Clone, Copy, BinRead, BinWrite)]
-#[brw(little)]
-pub struct Out {
-    controlword: u16,
-    mode: i8,
-    position: i32,
+macro_rules! structs {
+    (
+        $image:ident, $bytes:literal = [$pdo:ident, $size:literal; $count:literal]:
+        $($field:ident: $type:ident at $first:literal, $length:literal;)*
+    ) => {
+        #[derive(BinRead, BinWrite)]
+        #[brw(little)]
+        pub struct $pdo {
+            $($field: $type,)*
+        }
+
+        pub type $image = [$pdo; $count];
+
+        impl Image<$bytes> for $image {
+            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
+            const PACK: Pack<Self, $bytes> = {
+                extern "C-unwind" fn pack(pdos: &$image, frame: &mut [u8; $bytes]) {
+                    pdos.write_le(&mut Cursor::new(&mut frame[..])).unwrap();
+                }
+                pack
+            };
+            const UNPACK: Unpack<Self, $bytes> = {
+                extern "C-unwind" fn unpack(frame: &[u8; $bytes], pdos: &mut $image) {
+                    *pdos = BinRead::read_le(&mut Cursor::new(&frame[..])).unwrap();
+                }
+                unpack
+            };
+
+            fn fields(&self) -> Vec<i64> {
+                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
+            }
+        }
+    };
 }
 
-#[derive(Debug, Clone, Copy, BinRead, BinWrite)]
-#[brw(little)]
-pub struct In {
-    statusword: u16,
-    mode: i8,
-    position: i32,
-    following_error: i32,
-}
-
-pub fn outputs() -> [Out; 6] {
-    [Out { controlword: 6, mode: 8, position: -1 }; 6]
-}
-
-pub fn inputs() -> [In; 6] {
-    [In { statusword: 0x0237, mode: 8, position: -1, following_error: 3 }; 6]
-}
-
-pub fn pack_outputs(axes: &[Out; 6], frame: &mut [u8; OUTPUTS]) {
-    axes.write_le(&mut Cursor::new(&mut frame[..])).unwrap();
-}
-
-pub fn unpack_outputs(frame: &[u8; OUTPUTS], axes: &mut [Out; 6]) {
-    *axes = BinRead::read_le(&mut Cursor::new(&frame[..])).unwrap();
-}
-
-pub fn pack_inputs(axes: &[In; 6], frame: &mut [u8; INPUTS]) {
-    axes.write_le(&mut Cursor::new(&mut frame[..])).unwrap();
-}
-
-pub fn unpack_inputs(frame: &[u8; INPUTS], axes: &mut [In; 6]) {
-    *axes = BinRead::read_le(&mut Cursor::new(&frame[..])).unwrap();
-}
+images!(structs);

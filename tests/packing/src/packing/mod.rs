@@ -1,12 +1,15 @@
-//! The images of the C-887: six axes, 42 bytes out and 66 bytes in.
+//! Images packed and unpacked, each in each way: checked first, then measured.
 
 mod binrw;
 mod by_hand;
+mod by_value;
 mod c;
+mod c_packed;
 mod deku;
 mod ethercrab;
-mod generated;
+mod images;
 mod in_place;
+mod nothing;
 mod unwrapped;
 mod zero_copy;
 
@@ -14,71 +17,71 @@ use std::hint::black_box;
 
 use crate::Task;
 
-pub const OUTPUTS: usize = 42;
-pub const INPUTS: usize = 66;
+/// Packs a value into a frame. By the calling convention of C, so that calling C costs nothing more.
+pub type Pack<V, const N: usize> = extern "C-unwind" fn(&V, &mut [u8; N]);
 
-/// What goes to an axis.
-#[derive(Debug, Clone, Copy, Default)]
-#[repr(C)]
-pub struct Out {
-    pub controlword: u16,
-    pub mode: i8,
-    pub position: i32,
+/// Unpacks a frame into a value.
+pub type Unpack<V, const N: usize> = extern "C-unwind" fn(&[u8; N], &mut V);
+
+/// The values of an image of `N` bytes, and one way to convert them.
+pub trait Image<const N: usize>: Sized {
+    const ZERO: Self;
+    const PACK: Pack<Self, N>;
+    const UNPACK: Unpack<Self, N>;
+
+    /// All fields, one PDO after the other.
+    fn fields(&self) -> Vec<i64>;
 }
 
-/// What comes from an axis.
-#[derive(Debug, Clone, Copy, Default)]
-#[repr(C)]
-pub struct In {
-    pub statusword: u16,
-    pub mode: i8,
-    pub position: i32,
-    pub following_error: i32,
-}
-
-/// A way to pack and to unpack an image of `N` bytes.
-struct Way<V, const N: usize> {
-    value: V,
-    pack: fn(&V, &mut [u8; N]),
-    unpack: fn(&[u8; N], &mut V),
-}
-
-impl<V, const N: usize> Way<V, N> {
-    fn run(mut self, task: &Task, name: &str, image: &str) {
-        let mut frame = [0x5A; N];
-        let (pack, unpack) = black_box((self.pack, self.unpack));
-        task.subject(&format!("{name}, pack {image}"), || {
-            pack(black_box(&self.value), black_box(&mut frame))
-        });
-        task.subject(&format!("{name}, unpack {image}"), || {
-            unpack(black_box(&frame), black_box(&mut self.value))
-        });
-    }
-}
-
-/// Both images in one way.
-macro_rules! both {
-    ($task:ident, $name:literal, $($module:ident)::+) => {
-        Way { value: $($module::)+outputs(), pack: $($module::)+pack_outputs, unpack: $($module::)+unpack_outputs }
-            .run($task, $name, "outputs");
-        Way { value: $($module::)+inputs(), pack: $($module::)+pack_inputs, unpack: $($module::)+unpack_inputs }
-            .run($task, $name, "inputs");
+/// All images in each way.
+macro_rules! ways {
+    ($task:ident: $($name:literal $way:ident)*) => {
+        $(
+            run_image::<$way::C887Outputs, 42>($task, $name, "C-887 outputs");
+            run_image::<$way::C887Inputs, 66>($task, $name, "C-887 inputs");
+            run_image::<$way::S700Inputs, 40>($task, $name, "S700 inputs");
+            run_image::<$way::PilzInputs, 58>($task, $name, "Pilz inputs");
+        )*
     };
 }
 
 pub fn run(task: &Task) {
-    let empty = Way::<(), OUTPUTS> { value: (), pack: |_, _| {}, unpack: |_, _| {} };
-    empty.run(task, "nothing", "outputs");
-    let empty = Way::<(), INPUTS> { value: (), pack: |_, _| {}, unpack: |_, _| {} };
-    empty.run(task, "nothing", "inputs");
-    both!(task, "C, field by field", c);
-    both!(task, "C, packed struct", c::packed);
-    both!(task, "devc, by value", generated);
-    both!(task, "devc, in place", in_place);
-    both!(task, "zerocopy", zero_copy);
-    both!(task, "by hand, arrays", by_hand);
-    both!(task, "by hand, slices", unwrapped);
-    both!(task, "ethercrab-wire", ethercrab);
-    both!(task, "binrw", binrw);
-    both!(task, "deku", deku);
+    ways! { task:
+        "nothing" nothing
+        "C, field by field" c
+        "C, packed struct" c_packed
+        "devc, in place" in_place
+        "devc, by value" by_value
+        "zerocopy" zero_copy
+        "by hand, arrays" by_hand
+        "by hand, slices" unwrapped
+        "ethercrab-wire" ethercrab
+        "binrw" binrw
+        "deku" deku
+    }
+}
+
+fn run_image<V: Image<N>, const N: usize>(task: &Task, way: &str, image: &str) {
+    let (mut value, mut frame) = (V::ZERO, images::frame::<N>());
+    V::UNPACK(&frame, &mut value);
+    check(way, &value);
+    let (pack, unpack) = black_box((V::PACK, V::UNPACK));
+    let name = format!("{way}, pack {image}");
+    task.function(&name, pack as usize);
+    task.subject(&name, || pack(black_box(&value), black_box(&mut frame)));
+    let name = format!("{way}, unpack {image}");
+    task.function(&name, unpack as usize);
+    task.subject(&name, || unpack(black_box(&frame), black_box(&mut value)));
+}
+
+/// Whether the way has each field where the manual has it, and packs what it has unpacked.
+fn check<V: Image<N>, const N: usize>(way: &str, value: &V) {
+    let fields = value.fields();
+    if fields.is_empty() {
+        return;
+    }
+    assert!(fields.ends_with(images::last_fields(N)), "{way}, {N} bytes: {fields:x?}");
+    let mut packed = [0xFF; N];
+    V::PACK(value, &mut packed);
+    assert_eq!(packed, images::frame(), "{way}");
 }

@@ -1,59 +1,74 @@
 //! The crate `zerocopy`: structs of bytes laid over the frame.
 
-use zerocopy::little_endian::{I32, U16};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
-use super::{INPUTS, In, OUTPUTS, Out};
+use super::images::images;
+use super::{Image, Pack, Unpack};
 
-pub use super::c::{inputs, outputs};
-
-#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
-#[repr(C)]
-struct PackedOut {
-    controlword: U16,
-    mode: i8,
-    position: I32,
+/// Numbers as bytes, by the names of the numbers.
+#[allow(non_camel_case_types)]
+mod bytes {
+    pub use zerocopy::little_endian::{I16 as i16, I32 as i32, U16 as u16, U32 as u32};
+    pub type i8 = core::primitive::i8;
 }
 
-#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
-#[repr(C)]
-struct PackedIn {
-    statusword: U16,
-    mode: i8,
-    position: I32,
-    following_error: I32,
+macro_rules! zero_copy {
+    (
+        $image:ident, $bytes:literal = [$pdo:ident, $size:literal; $count:literal]:
+        $($field:ident: $type:ident at $first:literal, $length:literal;)*
+    ) => {
+        pub struct $pdo {
+            $($field: $type,)*
+        }
+
+        pub type $image = [$pdo; $count];
+
+        impl Image<$bytes> for $image {
+            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
+            const PACK: Pack<Self, $bytes> = {
+                extern "C-unwind" fn pack(pdos: &$image, frame: &mut [u8; $bytes]) {
+                    let packed = <[packed::$pdo; $count]>::mut_from_bytes(frame).unwrap();
+                    for (packed, pdo) in packed.iter_mut().zip(pdos) {
+                        $(packed.$field = pdo.$field.into();)*
+                    }
+                }
+                pack
+            };
+            const UNPACK: Unpack<Self, $bytes> = {
+                extern "C-unwind" fn unpack(frame: &[u8; $bytes], pdos: &mut $image) {
+                    let packed = <[packed::$pdo; $count]>::ref_from_bytes(frame).unwrap();
+                    for (packed, pdo) in packed.iter().zip(pdos) {
+                        $(pdo.$field = packed.$field.into();)*
+                    }
+                }
+                unpack
+            };
+
+            fn fields(&self) -> Vec<i64> {
+                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
+            }
+        }
+    };
 }
 
-pub fn pack_outputs(axes: &[Out; 6], frame: &mut [u8; OUTPUTS]) {
-    for (packed, axis) in <[PackedOut; 6]>::mut_from_bytes(frame).unwrap().iter_mut().zip(axes) {
-        packed.controlword.set(axis.controlword);
-        packed.mode = axis.mode;
-        packed.position.set(axis.position);
+images!(zero_copy);
+
+/// What lies over the frame.
+mod packed {
+    use super::*;
+
+    macro_rules! packed {
+        (
+            $image:ident, $bytes:literal = [$pdo:ident, $size:literal; $count:literal]:
+            $($field:ident: $type:ident at $first:literal, $length:literal;)*
+        ) => {
+            #[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
+            #[repr(C)]
+            pub struct $pdo {
+                $(pub $field: bytes::$type,)*
+            }
+        };
     }
-}
 
-pub fn unpack_outputs(frame: &[u8; OUTPUTS], axes: &mut [Out; 6]) {
-    for (packed, axis) in <[PackedOut; 6]>::ref_from_bytes(frame).unwrap().iter().zip(axes) {
-        axis.controlword = packed.controlword.get();
-        axis.mode = packed.mode;
-        axis.position = packed.position.get();
-    }
-}
-
-pub fn pack_inputs(axes: &[In; 6], frame: &mut [u8; INPUTS]) {
-    for (packed, axis) in <[PackedIn; 6]>::mut_from_bytes(frame).unwrap().iter_mut().zip(axes) {
-        packed.statusword.set(axis.statusword);
-        packed.mode = axis.mode;
-        packed.position.set(axis.position);
-        packed.following_error.set(axis.following_error);
-    }
-}
-
-pub fn unpack_inputs(frame: &[u8; INPUTS], axes: &mut [In; 6]) {
-    for (packed, axis) in <[PackedIn; 6]>::ref_from_bytes(frame).unwrap().iter().zip(axes) {
-        axis.statusword = packed.statusword.get();
-        axis.mode = packed.mode;
-        axis.position = packed.position.get();
-        axis.following_error = packed.following_error.get();
-    }
+    images!(packed);
 }

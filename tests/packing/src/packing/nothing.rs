@@ -1,0 +1,26 @@
+//! Nothing: what the call alone costs.
+
+use super::images::images;
+use super::{Image, Pack, Unpack};
+
+macro_rules! nothing {
+    ($image:ident, $bytes:literal = $pdos:tt: $($fields:tt)*) => {
+        pub struct $image;
+
+        impl Image<$bytes> for $image {
+            const ZERO: Self = Self;
+            const PACK: Pack<Self, $bytes> = pack;
+            const UNPACK: Unpack<Self, $bytes> = unpack;
+
+            fn fields(&self) -> Vec<i64> {
+                Vec::new()
+            }
+        }
+    };
+}
+
+images!(nothing);
+
+extern "C-unwind" fn pack<V, const N: usize>(_: &V, _: &mut [u8; N]) {}
+
+extern "C-unwind" fn unpack<V, const N: usize>(_: &[u8; N], _: &mut V) {}
