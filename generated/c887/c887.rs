@@ -1525,7 +1525,7 @@ pub struct RxPdo1600 {
 
 impl RxPdo1600 {
     /// The fields as they are in the frame.
-    #[inline]
+    #[inline(always)]
     pub const fn pack(self) -> [u8; 7] {
         let [b0, b1] = self.controlword.0.to_le_bytes();
         let [b2] = self.modes_of_operation.to_le_bytes();
@@ -1608,7 +1608,7 @@ pub struct RxPdo1601 {
 
 impl RxPdo1601 {
     /// The fields as they are in the frame.
-    #[inline]
+    #[inline(always)]
     pub const fn pack(self) -> [u8; 15] {
         let [b0, b1] = self.controlword.0.to_le_bytes();
         let [b2] = self.modes_of_operation.to_le_bytes();
@@ -1693,7 +1693,7 @@ pub struct TxPdo1A00 {
 
 impl TxPdo1A00 {
     /// The fields as they are in the frame.
-    #[inline]
+    #[inline(always)]
     pub const fn pack(self) -> [u8; 11] {
         let [b0, b1] = self.statusword.0.to_le_bytes();
         let [b2] = self.modes_of_operation_display.to_le_bytes();
@@ -1772,7 +1772,7 @@ pub struct TxPdo1A01 {
 
 impl TxPdo1A01 {
     /// The fields as they are in the frame.
-    #[inline]
+    #[inline(always)]
     pub const fn pack(self) -> [u8; 7] {
         let [b0, b1] = self.statusword.0.to_le_bytes();
         let [b2] = self.modes_of_operation_display.to_le_bytes();

@@ -2751,7 +2751,7 @@ pub mod double {
 
     impl RxPdo1600 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 23] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2] = self.modes_of_operation.to_le_bytes();
@@ -2865,7 +2865,7 @@ pub mod double {
 
     impl TxPdo1A00 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 29] {
             let [b0, b1] = self.statusword.0.to_le_bytes();
             let [b2] = self.modes_of_operation_display.to_le_bytes();
@@ -8083,7 +8083,7 @@ pub mod single {
 
     impl RxPdo1600 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 23] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2] = self.modes_of_operation.to_le_bytes();
@@ -8181,7 +8181,7 @@ pub mod single {
 
     impl TxPdo1A00 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 29] {
             let [b0, b1] = self.statusword.0.to_le_bytes();
             let [b2] = self.modes_of_operation_display.to_le_bytes();
@@ -13647,7 +13647,7 @@ pub mod double_hires {
 
     impl RxPdo1600 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 23] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2] = self.modes_of_operation.to_le_bytes();
@@ -13761,7 +13761,7 @@ pub mod double_hires {
 
     impl TxPdo1A00 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 29] {
             let [b0, b1] = self.statusword.0.to_le_bytes();
             let [b2] = self.modes_of_operation_display.to_le_bytes();
@@ -18896,7 +18896,7 @@ pub mod single_hires {
 
     impl RxPdo1600 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 23] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2] = self.modes_of_operation.to_le_bytes();
@@ -18994,7 +18994,7 @@ pub mod single_hires {
 
     impl TxPdo1A00 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 29] {
             let [b0, b1] = self.statusword.0.to_le_bytes();
             let [b2] = self.modes_of_operation_display.to_le_bytes();

@@ -2255,7 +2255,7 @@ pub mod s300 {
 
     impl RxPdo1600 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 2] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             [b0, b1]
@@ -2296,7 +2296,7 @@ pub mod s300 {
 
     impl RxPdo1701 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -2345,7 +2345,7 @@ pub mod s300 {
 
     impl RxPdo1702 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.velocity_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -2394,7 +2394,7 @@ pub mod s300 {
 
     impl RxPdo1703 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 4] {
             let [b0, b1] = self.current_setpoint.to_le_bytes();
             let [b2, b3] = self.controlword.0.to_le_bytes();
@@ -2449,7 +2449,7 @@ pub mod s300 {
 
     impl RxPdo1704 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -2516,7 +2516,7 @@ pub mod s300 {
 
     impl RxPdo1705 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -2581,7 +2581,7 @@ pub mod s300 {
 
     impl RxPdo1706 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -2646,7 +2646,7 @@ pub mod s300 {
 
     impl RxPdo1707 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -2723,7 +2723,7 @@ pub mod s300 {
 
     impl RxPdo1708 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 18] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -2796,7 +2796,7 @@ pub mod s300 {
 
     impl RxPdo170A {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 8] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -2861,7 +2861,7 @@ pub mod s300 {
 
     impl RxPdo1710 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 26] {
             let [b0, b1, b2, b3] = self.motion_task_target_position.to_le_bytes();
             let [b4, b5, b6, b7] = self.motion_task_target_velocity.to_le_bytes();
@@ -2950,7 +2950,7 @@ pub mod s300 {
 
     impl RxPdo1711 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.additive_velocity_setpoint.to_le_bytes();
@@ -3025,7 +3025,7 @@ pub mod s300 {
 
     impl RxPdo1712 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.velocity_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.additive_velocity_setpoint.to_le_bytes();
@@ -3100,7 +3100,7 @@ pub mod s300 {
 
     impl RxPdo1714 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
@@ -3167,7 +3167,7 @@ pub mod s300 {
 
     impl TxPdo1A00 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 2] {
             let [b0, b1] = self.statusword.0.to_le_bytes();
             [b0, b1]
@@ -3208,7 +3208,7 @@ pub mod s300 {
 
     impl TxPdo1B01 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -3257,7 +3257,7 @@ pub mod s300 {
 
     impl TxPdo1B03 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 8] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -3312,7 +3312,7 @@ pub mod s300 {
 
     impl TxPdo1B04 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 10] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -3371,7 +3371,7 @@ pub mod s300 {
 
     impl TxPdo1B05 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -3430,7 +3430,7 @@ pub mod s300 {
 
     impl TxPdo1B06 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -3495,7 +3495,7 @@ pub mod s300 {
 
     impl TxPdo1B07 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 22] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.position_actual_value_2.to_le_bytes();
@@ -3580,7 +3580,7 @@ pub mod s300 {
 
     impl TxPdo1B08 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -3655,7 +3655,7 @@ pub mod s300 {
 
     impl TxPdo1B0A {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 10] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.opmode_message.to_le_bytes();
@@ -3732,7 +3732,7 @@ pub mod s300 {
 
     impl TxPdo1B0B {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 40] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.position_actual_value_2.to_le_bytes();
@@ -3845,7 +3845,7 @@ pub mod s300 {
 
     impl TxPdo1B0C {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 28] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_actual_value.to_le_bytes();
@@ -7717,7 +7717,7 @@ pub mod s400 {
 
     impl RxPdo1701 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -7766,7 +7766,7 @@ pub mod s400 {
 
     impl RxPdo1702 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.velocity_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -7815,7 +7815,7 @@ pub mod s400 {
 
     impl RxPdo1703 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 4] {
             let [b0, b1] = self.current_setpoint.to_le_bytes();
             let [b2, b3] = self.controlword.0.to_le_bytes();
@@ -7870,7 +7870,7 @@ pub mod s400 {
 
     impl RxPdo1704 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -7937,7 +7937,7 @@ pub mod s400 {
 
     impl RxPdo1705 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -8002,7 +8002,7 @@ pub mod s400 {
 
     impl RxPdo1706 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -8067,7 +8067,7 @@ pub mod s400 {
 
     impl RxPdo1707 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -8144,7 +8144,7 @@ pub mod s400 {
 
     impl RxPdo1708 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 18] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -8215,7 +8215,7 @@ pub mod s400 {
 
     impl TxPdo1B01 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -8264,7 +8264,7 @@ pub mod s400 {
 
     impl TxPdo1B03 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 8] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -8319,7 +8319,7 @@ pub mod s400 {
 
     impl TxPdo1B04 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 10] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -8378,7 +8378,7 @@ pub mod s400 {
 
     impl TxPdo1B05 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -8437,7 +8437,7 @@ pub mod s400 {
 
     impl TxPdo1B06 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -8502,7 +8502,7 @@ pub mod s400 {
 
     impl TxPdo1B07 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 22] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.position_actual_value_2.to_le_bytes();
@@ -8587,7 +8587,7 @@ pub mod s400 {
 
     impl TxPdo1B08 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -12256,7 +12256,7 @@ pub mod s600 {
 
     impl RxPdo1701 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -12305,7 +12305,7 @@ pub mod s600 {
 
     impl RxPdo1702 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.velocity_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -12354,7 +12354,7 @@ pub mod s600 {
 
     impl RxPdo1703 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 4] {
             let [b0, b1] = self.current_setpoint.to_le_bytes();
             let [b2, b3] = self.controlword.0.to_le_bytes();
@@ -12409,7 +12409,7 @@ pub mod s600 {
 
     impl RxPdo1704 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -12476,7 +12476,7 @@ pub mod s600 {
 
     impl RxPdo1705 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -12541,7 +12541,7 @@ pub mod s600 {
 
     impl RxPdo1706 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -12606,7 +12606,7 @@ pub mod s600 {
 
     impl RxPdo1707 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -12683,7 +12683,7 @@ pub mod s600 {
 
     impl RxPdo1708 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 18] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -12754,7 +12754,7 @@ pub mod s600 {
 
     impl TxPdo1B01 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -12803,7 +12803,7 @@ pub mod s600 {
 
     impl TxPdo1B03 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 8] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -12858,7 +12858,7 @@ pub mod s600 {
 
     impl TxPdo1B04 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 10] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -12917,7 +12917,7 @@ pub mod s600 {
 
     impl TxPdo1B05 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -12976,7 +12976,7 @@ pub mod s600 {
 
     impl TxPdo1B06 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -13041,7 +13041,7 @@ pub mod s600 {
 
     impl TxPdo1B07 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 22] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.position_actual_value_2.to_le_bytes();
@@ -13126,7 +13126,7 @@ pub mod s600 {
 
     impl TxPdo1B08 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -17071,7 +17071,7 @@ pub mod s700 {
 
     impl RxPdo1600 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 2] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             [b0, b1]
@@ -17112,7 +17112,7 @@ pub mod s700 {
 
     impl RxPdo1701 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -17161,7 +17161,7 @@ pub mod s700 {
 
     impl RxPdo1702 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.velocity_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -17210,7 +17210,7 @@ pub mod s700 {
 
     impl RxPdo1703 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 4] {
             let [b0, b1] = self.current_setpoint.to_le_bytes();
             let [b2, b3] = self.controlword.0.to_le_bytes();
@@ -17265,7 +17265,7 @@ pub mod s700 {
 
     impl RxPdo1704 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -17332,7 +17332,7 @@ pub mod s700 {
 
     impl RxPdo1705 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 14] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -17397,7 +17397,7 @@ pub mod s700 {
 
     impl RxPdo1706 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -17462,7 +17462,7 @@ pub mod s700 {
 
     impl RxPdo1707 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -17539,7 +17539,7 @@ pub mod s700 {
 
     impl RxPdo1708 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 18] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_setpoint.to_le_bytes();
@@ -17612,7 +17612,7 @@ pub mod s700 {
 
     impl RxPdo170A {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 8] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5] = self.controlword.0.to_le_bytes();
@@ -17677,7 +17677,7 @@ pub mod s700 {
 
     impl RxPdo1710 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 26] {
             let [b0, b1, b2, b3] = self.motion_task_target_position.to_le_bytes();
             let [b4, b5, b6, b7] = self.motion_task_target_velocity.to_le_bytes();
@@ -17766,7 +17766,7 @@ pub mod s700 {
 
     impl RxPdo1711 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.position_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.additive_velocity_setpoint.to_le_bytes();
@@ -17841,7 +17841,7 @@ pub mod s700 {
 
     impl RxPdo1712 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 16] {
             let [b0, b1, b2, b3] = self.velocity_setpoint.to_le_bytes();
             let [b4, b5, b6, b7] = self.additive_velocity_setpoint.to_le_bytes();
@@ -17916,7 +17916,7 @@ pub mod s700 {
 
     impl RxPdo1714 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
@@ -17983,7 +17983,7 @@ pub mod s700 {
 
     impl TxPdo1A00 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 2] {
             let [b0, b1] = self.statusword.0.to_le_bytes();
             [b0, b1]
@@ -18024,7 +18024,7 @@ pub mod s700 {
 
     impl TxPdo1B01 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 6] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -18073,7 +18073,7 @@ pub mod s700 {
 
     impl TxPdo1B03 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 8] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -18128,7 +18128,7 @@ pub mod s700 {
 
     impl TxPdo1B04 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 10] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -18187,7 +18187,7 @@ pub mod s700 {
 
     impl TxPdo1B05 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -18246,7 +18246,7 @@ pub mod s700 {
 
     impl TxPdo1B06 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 12] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.statusword.0.to_le_bytes();
@@ -18311,7 +18311,7 @@ pub mod s700 {
 
     impl TxPdo1B07 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 22] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.position_actual_value_2.to_le_bytes();
@@ -18396,7 +18396,7 @@ pub mod s700 {
 
     impl TxPdo1B08 {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.current_actual_value.to_le_bytes();
@@ -18471,7 +18471,7 @@ pub mod s700 {
 
     impl TxPdo1B0A {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 10] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5] = self.opmode_message.to_le_bytes();
@@ -18548,7 +18548,7 @@ pub mod s700 {
 
     impl TxPdo1B0B {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 40] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.position_actual_value_2.to_le_bytes();
@@ -18661,7 +18661,7 @@ pub mod s700 {
 
     impl TxPdo1B0C {
         /// The fields as they are in the frame.
-        #[inline]
+        #[inline(always)]
         pub const fn pack(self) -> [u8; 28] {
             let [b0, b1, b2, b3] = self.position_actual_value_1.to_le_bytes();
             let [b4, b5, b6, b7] = self.velocity_actual_value.to_le_bytes();

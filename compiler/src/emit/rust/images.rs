@@ -124,7 +124,8 @@ fn layout(scope: &Scope<'_>, parts: &[Part<'_, '_>], length: u32) -> Layout {
     }
     let pattern = quote!([#(#bytes),*]);
     let view = (quote!(of PDOs in), views(scope, parts));
-    Layout { length, pack: quote!(#pack #pattern), pattern, unpack: quote!(Self { #unpack }), view }
+    let (pack, unpack, inline) = (quote!(#pack #pattern), quote!(Self { #unpack }), quote!(#[inline]));
+    Layout { length, pack, pattern, unpack, view, inline }
 }
 
 /// A line for each field: its view to read and to write, the PDO, and its first byte.

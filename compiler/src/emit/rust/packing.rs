@@ -20,13 +20,17 @@ pub(super) struct Layout {
     pub(super) unpack: TokenStream,
     /// What the view has, with the words before the struct.
     pub(super) view: (TokenStream, TokenStream),
+    /// The attribute of `pack`.
+    pub(super) inline: TokenStream,
 }
 
 impl Layout {
-    /// Fields of bits.
+    /// Fields of bits. Their `pack` is always inlined, for an image of several PDOs takes the bytes of each apart: if
+    /// they came back from a call, that would cost more than to pack them.
     pub(super) fn of_fields(places: &[Place], length: u32) -> Self {
         let (pack, pattern) = (bytes::pack(places, length), bytes::pattern(places, length));
-        Self { length, pack, pattern, unpack: bytes::unpack(places), view: (quote!(of), fields(places)) }
+        let (unpack, view) = (bytes::unpack(places), (quote!(of), fields(places)));
+        Self { length, pack, pattern, unpack, view, inline: quote!(#[inline(always)]) }
     }
 }
 
@@ -48,12 +52,12 @@ fn fields(places: &[Place]) -> TokenStream {
 /// Packing and unpacking, as constants and as the trait, and the view.
 pub(super) fn items(scope: &Scope<'_>, name: &Ident, direction: TokenStream, layout: &Layout) -> TokenStream {
     let (runtime, marker, length) = (scope.runtime, &scope.marker, number(layout.length));
-    let Layout { pack, pattern, unpack, view: (of, fields), .. } = layout;
+    let Layout { pack, pattern, unpack, view: (of, fields), inline, .. } = layout;
     let view = format_ident!("{name}View");
     quote! {
         impl #name {
             /// The fields as they are in the frame.
-            #[inline]
+            #inline
             pub const fn pack(self) -> [u8; #length] {
                 #pack
             }
