@@ -44,7 +44,8 @@ fn symbols_in(text: &str) -> Option<(u64, BTreeMap<u64, u64>)> {
     for line in text.lines() {
         let fields: Vec<&str> = line.split_whitespace().collect();
         let [address, size, _, name] = fields[..] else { continue };
-        let (Ok(address), Ok(size)) = (u64::from_str_radix(address, 16), u64::from_str_radix(size, 16)) else {
+        let (Ok(address), Ok(size)) = (u64::from_str_radix(address, 16), u64::from_str_radix(size, 16))
+        else {
             continue;
         };
         sizes.insert(address, size);
