@@ -14,12 +14,12 @@ impl Table<'_> {
     pub(crate) fn print(&self, title: &str, cell: impl Fn(&str, usize) -> Option<String>) {
         println!("\n{title}");
         let levels = self.levels.iter().map(|level| format!("{:>WIDTH$}", format!("-O{level}")));
-        println!("{:<20}{}", "", levels.collect::<String>());
+        println!("{:<22}{}", "", levels.collect::<String>());
         for way in &self.ways {
             let cells: Vec<_> = (0..self.levels.len()).map(|level| cell(way, level)).collect();
             if cells.iter().any(Option::is_some) {
                 let cells = cells.into_iter().map(|cell| cell.unwrap_or_else(|| " ".repeat(WIDTH)));
-                println!("{way:<20}{}", cells.collect::<String>());
+                println!("{way:<22}{}", cells.collect::<String>());
             }
         }
     }

@@ -30,8 +30,7 @@ macro_rules! by_hand {
                     let (chunks, _) = frame.as_chunks::<$size>();
                     for (chunk, pdo) in chunks.iter().zip(pdos) {
                         $(
-                            let mut bytes = [0; $length];
-                            bytes.copy_from_slice(&chunk[$first..$first + $length]);
+                            let bytes = chunk[$first..$first + $length].try_into().unwrap();
                             pdo.$field = $type::from_le_bytes(bytes);
                         )*
                     }
