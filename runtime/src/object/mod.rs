@@ -4,8 +4,12 @@ mod access;
 mod address;
 mod entry;
 mod value;
+mod width;
 
 pub use access::{Constant, Marker, ReadOnly, ReadWrite, Readable, Writable, WriteOnly};
 pub use address::Address;
 pub use entry::Entry;
 pub use value::Value;
+pub use width::{
+    Bit2, Bit3, Bit4, Bit5, Bit6, Bit7, Int, Int24, Int40, Int48, Int56, Uint, Uint24, Uint40, Uint48, Uint56,
+};

@@ -83,7 +83,7 @@ impl Value for bool {
     }
 }
 
-/// Text, or a number of a width that Rust has no type for: the bytes as they are.
+/// Text that can be written, and what is of an unknown type: the bytes as they are.
 impl<const N: usize> Value for [u8; N] {
     type Bytes = Self;
     const DATA_TYPE: DataType = DataType::OCTET_STRING;
@@ -143,6 +143,7 @@ macro_rules! value {
     ($name:ident as $number:ty) => {
         impl $crate::object::Value for $name {
             type Bytes = <$number as $crate::object::Value>::Bytes;
+            const BITS: usize = <$number as $crate::object::Value>::BITS;
             const DATA_TYPE: $crate::sdo::DataType = <$number as $crate::object::Value>::DATA_TYPE;
 
             #[inline]

@@ -192,6 +192,13 @@ fn extended<T: Value>(number: u128, bits: usize) -> u128 {
 const fn is_signed<T: Value>() -> bool {
     matches!(
         T::DATA_TYPE,
-        DataType::INTEGER8 | DataType::INTEGER16 | DataType::INTEGER32 | DataType::INTEGER64
+        DataType::INTEGER8
+            | DataType::INTEGER16
+            | DataType::INTEGER24
+            | DataType::INTEGER32
+            | DataType::INTEGER40
+            | DataType::INTEGER48
+            | DataType::INTEGER56
+            | DataType::INTEGER64
     )
 }

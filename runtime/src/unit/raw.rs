@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::object::{Int, Uint};
+
 mod sealed {
     pub trait Sealed {}
 }
@@ -42,6 +44,45 @@ macro_rules! raw {
 }
 
 raw!(i8, i16, i32, i64, u8, u16, u32);
+
+impl<const BITS: usize, const BYTES: usize> sealed::Sealed for Int<BITS, BYTES> {}
+
+impl<const BITS: usize, const BYTES: usize> Raw for Int<BITS, BYTES> {
+    #[inline]
+    fn widen(self) -> i64 {
+        self.get()
+    }
+
+    #[inline]
+    fn narrow(number: i64) -> Option<Self> {
+        Self::new(number)
+    }
+
+    #[inline]
+    fn saturate(number: i64) -> Self {
+        Self::saturating(number)
+    }
+}
+
+impl<const BITS: usize, const BYTES: usize> sealed::Sealed for Uint<BITS, BYTES> {}
+
+impl<const BITS: usize, const BYTES: usize> Raw for Uint<BITS, BYTES> {
+    #[inline]
+    fn widen(self) -> i64 {
+        // of at most 56 bits
+        self.get() as i64
+    }
+
+    #[inline]
+    fn narrow(number: i64) -> Option<Self> {
+        Self::new(number.try_into().ok()?)
+    }
+
+    #[inline]
+    fn saturate(number: i64) -> Self {
+        Self::saturating(number.try_into().unwrap_or(0))
+    }
+}
 
 /// Why a physical value has no raw number, or the other way round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

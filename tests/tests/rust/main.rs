@@ -14,3 +14,4 @@ mod pdos;
 mod rebuild;
 mod same;
 mod units;
+mod widths;

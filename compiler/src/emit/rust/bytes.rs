@@ -29,7 +29,7 @@ impl Place {
             Primitive::Signed(bits) | Primitive::Unsigned(bits) | Primitive::Real(bits) => bits.into(),
             Primitive::Bytes(length) => length * 8,
         };
-        self.offset.is_multiple_of(8) && self.bits == width
+        self.offset.is_multiple_of(8) && self.bits == width && width.is_multiple_of(8)
     }
 
     /// The bytes that it has bits in.
@@ -94,8 +94,10 @@ fn binding(place: &Place, name: &Ident, names: &[Ident]) -> TokenStream {
         primitive => {
             let width = place.container();
             let container = format_ident!("u{width}");
-            let value =
-                if matches!(primitive, Primitive::Real(_)) { quote!(#value.to_bits()) } else { value };
+            let value = match primitive {
+                Primitive::Real(_) => quote!(#value.to_bits()),
+                _ => primitive.counted(value),
+            };
             let masked = place.masked(quote!(#value as #container));
             let shifted = match place.shift() {
                 0 => quote!((#masked)),
@@ -153,6 +155,7 @@ fn from_bytes(place: &Place) -> TokenStream {
     };
     let raw = place.masked(shifted);
     match primitive {
+        _ if !primitive.is_native() => quote!(#name::from_low_bits((#raw) as u64)),
         Primitive::Bool => quote!(#raw != 0),
         Primitive::Signed(_) => {
             let signed = format_ident!("i{width}");

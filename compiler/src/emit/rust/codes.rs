@@ -135,10 +135,11 @@ impl Newtype<'_> {
         let mut names = Names::default();
         let constants = values.iter().map(|Named { literal, id, doc, .. }| {
             let constant = names.claim(&shout(id));
-            quote!(#doc pub const #constant: Self = Self(#literal);)
+            let value = primitive.constant(literal.clone());
+            quote!(#doc pub const #constant: Self = Self(#value);)
         });
         let arms = values.iter().map(|Named { literal, name, .. }| quote!(#literal => Some(#name),));
-        let texts = self.texts();
+        let (texts, counted) = (self.texts(), primitive.counted(quote!(self.0)));
         quote! {
             #doc
             #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -149,7 +150,7 @@ impl Newtype<'_> {
 
                 /// What the value stands for, if the description says so.
                 pub const fn name(self) -> #some {
-                    match self.0 {
+                    match #counted {
                         #(#arms)*
                         _ => None,
                     }
@@ -174,12 +175,12 @@ impl Newtype<'_> {
                 quote!(#literal => #text,)
             })
             .collect();
-        let text = parsed("&'static str");
+        let (text, counted) = (parsed("&'static str"), self.primitive.counted(quote!(self.0)));
         (!arms.is_empty()).then(|| {
             quote! {
                 /// What the description says of the value; empty if nothing.
                 pub const fn text(self) -> #text {
-                    match self.0 {
+                    match #counted {
                         #(#arms)*
                         _ => "",
                     }

@@ -12,6 +12,8 @@ use crate::model::{Device, Index};
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let (docs, runtime, device) = (module_doc(scope.device).inner(), scope.runtime, device(scope));
     let axes = scope.has_axes().then(|| axes(scope));
+    let widths = scope.widths();
+    let widths = (!widths.is_empty()).then(|| quote!(use #runtime::object::{#(#widths),*};));
     quote! {
         #docs
         #![allow(
@@ -24,6 +26,7 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
             Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
         };
         use #runtime::error::{ErrorInfo, ErrorRange};
+        #widths
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{
             Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,

@@ -62,13 +62,17 @@ pub(super) fn grouped(value: u64) -> TokenStream {
     parsed(&text)
 }
 
-/// The default of an entry, as its primitive; nothing stands for 0.
+/// The default of an entry, as people write it; nothing stands for 0.
 pub(super) fn value(entry: &Entry) -> TokenStream {
-    kept(entry, Primitive::of(entry.data_type))
+    default(entry, Primitive::of(entry.data_type))
 }
 
 /// The default of an entry that is kept as this primitive.
 pub(super) fn kept(entry: &Entry, primitive: Primitive) -> TokenStream {
+    primitive.constant(default(entry, primitive))
+}
+
+fn default(entry: &Entry, primitive: Primitive) -> TokenStream {
     let data_type = entry.data_type;
     match (primitive, entry.default.as_ref()) {
         (Primitive::Bool, value) => {

@@ -8,7 +8,7 @@ use super::entry;
 use super::literal::{distance, hex16, number};
 use super::names::{Names, shout, snake};
 use super::scope::Scope;
-use crate::model::{Access, DataType, Entry, Kind, Mappable, Object};
+use crate::model::{Access, Entry, Kind, Mappable, Object};
 
 pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
     let mut names = Names::default();
@@ -75,12 +75,9 @@ fn constant(scope: &Scope<'_>, placed: &Placed<'_, Object>, entry: &Entry, name:
     }
 }
 
-/// The direction of the PDOs that the entry can be in. A type in Rust of more bits than the entry has cannot say how
-/// many are mapped, so such an entry is in no own mapping.
+/// The direction of the PDOs that the entry can be in.
 fn mapping(entry: &Entry) -> Option<TokenStream> {
-    let is_part = matches!(entry.data_type, DataType::Bits(bits) if bits > 1 && bits != 8);
     match entry.pdo {
-        _ if is_part => None,
         Mappable::None => None,
         Mappable::Rx => Some(quote!(, Rx)),
         Mappable::Tx => Some(quote!(, Tx)),

@@ -80,12 +80,7 @@ fn value_type(scope: &Scope<'_>, mapped: &Mapped) -> ValueType {
     match mapped.data_type {
         Some(DataType::Text(length)) => bare(Primitive::Bytes(length.into())),
         Some(data_type) => scope.types.at(mapped.address, data_type),
-        None if mapped.bits == 1 => bare(Primitive::Bool),
-        None if mapped.bits <= 64 => {
-            let width = mapped.bits.next_power_of_two().max(8);
-            bare(Primitive::Unsigned(width.try_into().unwrap_or(64)))
-        }
-        None => bare(Primitive::Bytes(mapped.bits.div_ceil(8))),
+        None => bare(Primitive::of_bits(mapped.bits)),
     }
 }
 

@@ -57,10 +57,12 @@ fn rows(stored: &Stored<'_>) -> Vec<TokenStream> {
     rows
 }
 
-/// The bounds of an entry; where one is missing, the type's own.
+/// The bounds of an entry; where one is missing, the type's own. A type of a few bits always has some, as it comes in a
+/// byte.
 fn limits(entry: &Entry) -> Option<TokenStream> {
     let (min, max) = (entry.min.as_ref(), entry.max.as_ref());
-    if min.is_none() && max.is_none() {
+    let is_part = matches!(entry.data_type, DataType::Bits(2..8));
+    if min.is_none() && max.is_none() && !is_part {
         return None;
     }
     let Some((least, greatest)) = entry.data_type.range() else { return real(entry) };

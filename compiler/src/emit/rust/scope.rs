@@ -1,20 +1,28 @@
 //! What all parts of a module know.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 
 use super::Options;
 use super::axes::{Placed, placed};
 use super::names::{Names, camel, snake};
-use super::types::Types;
+use super::types::{Primitive, Types};
 use crate::model::{Device, Object, Pdo};
 
 /// Names that every module has or that it imports.
 const RESERVED: &[&str] = &[
     "Access",
-    "AlStatusCode",
     "Address",
+    "AlStatusCode",
     "Axis",
     "AxisObjects",
+    "Bit2",
+    "Bit3",
+    "Bit4",
+    "Bit5",
+    "Bit6",
+    "Bit7",
     "BringUp",
     "Carries",
     "Command",
@@ -31,6 +39,10 @@ const RESERVED: &[&str] = &[
     "Events",
     "HomingBits",
     "Inputs",
+    "Int24",
+    "Int40",
+    "Int48",
+    "Int56",
     "Machine",
     "MappedPdo",
     "Mapping",
@@ -60,6 +72,10 @@ const RESERVED: &[&str] = &[
     "SyncManager",
     "Transition",
     "Tx",
+    "Uint24",
+    "Uint40",
+    "Uint48",
+    "Uint56",
     "UnknownState",
     "VendorCode",
     "Write",
@@ -99,6 +115,18 @@ impl<'a> Scope<'a> {
     pub(super) fn has_axes(&self) -> bool {
         self.objects.iter().any(|object| object.shift.is_some())
             || self.pdos.iter().any(|pdo| pdo.shift.is_some())
+    }
+
+    /// The runtime's types of numbers that the device has.
+    pub(super) fn widths(&self) -> Vec<TokenStream> {
+        let entries = self.device.objects.iter().flat_map(|object| &object.entries);
+        let mapped = self.device.pdos.iter().flat_map(|pdo| &pdo.entries);
+        let of_entries = entries.map(|entry| Primitive::of(entry.data_type));
+        let of_mapped = mapped.filter(|mapped| mapped.data_type.is_none() && mapped.address.is_some());
+        let of_mapped = of_mapped.map(|mapped| Primitive::of_bits(mapped.bits));
+        let widths: BTreeSet<Primitive> =
+            of_entries.chain(of_mapped).filter(|primitive| !primitive.is_native()).collect();
+        widths.into_iter().map(Primitive::tokens).collect()
     }
 
     /// The names of the axes, as variants and as variables.

@@ -93,9 +93,9 @@ fn slot(kept: &ValueType, field: &TokenStream) -> TokenStream {
     let variant = variant(kept.primitive);
     match kept.primitive {
         Primitive::Text => quote!(Some(sdo::Slot::#variant(#field))),
-        _ => {
-            let value = kept.unwrap(field.clone());
-            quote!(Some(sdo::Slot::#variant(&mut #value)))
+        primitive => {
+            let place = place(primitive, kept.unwrap(field.clone()));
+            quote!(Some(sdo::Slot::#variant(#place)))
         }
     }
 }
@@ -106,13 +106,22 @@ fn items_of(kept: &ValueType, item: &TokenStream) -> TokenStream {
     match (kept.primitive, &kept.newtype) {
         (Primitive::Text, _) => quote!(#item.map(|item| sdo::Slot::#variant(*item))),
         (Primitive::Bytes(_), _) => quote!(#item.map(|item| sdo::Slot::#variant(item))),
-        (_, Some(_)) => quote!(#item.map(|item| sdo::Slot::#variant(&mut item.0))),
-        (_, None) => quote!(#item.map(sdo::Slot::#variant)),
+        (_, None) if kept.primitive.is_native() => quote!(#item.map(sdo::Slot::#variant)),
+        (primitive, _) => {
+            let place = place(primitive, kept.unwrap(quote!(item)));
+            quote!(#item.map(|item| sdo::Slot::#variant(#place)))
+        }
     }
+}
+
+/// Where a value is written: its bytes, if Rust has no type for it.
+fn place(primitive: Primitive, value: TokenStream) -> TokenStream {
+    if primitive.is_native() { quote!(&mut #value) } else { quote!(#value.as_bytes_mut()) }
 }
 
 fn variant(primitive: Primitive) -> Ident {
     match primitive {
+        _ if !primitive.is_native() => format_ident!("Bytes"),
         Primitive::Bool => format_ident!("Bool"),
         Primitive::Signed(bits) => format_ident!("I{bits}"),
         Primitive::Unsigned(bits) => format_ident!("U{bits}"),

@@ -9,7 +9,7 @@ use super::literal;
 use super::names::{Names, camel};
 use crate::model::{Address, DataType, Device, Entry, Index, Object};
 
-/// A type of Rust that holds a value.
+/// A type of Rust that holds a value; for whole numbers of a width that Rust has none for, one of the runtime.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Primitive {
     Bool,
@@ -25,13 +25,21 @@ impl Primitive {
     pub(super) fn of(data_type: DataType) -> Self {
         match data_type {
             DataType::Bool | DataType::Bits(1) => Self::Bool,
-            DataType::Int(bits) if native(bits) => Self::Signed(bits),
-            DataType::Uint(bits) | DataType::Bitstring(bits) if native(bits) => Self::Unsigned(bits),
-            DataType::Bits(_) => Self::Unsigned(8),
+            DataType::Int(bits) => Self::Signed(bits),
+            DataType::Uint(bits) | DataType::Bitstring(bits) | DataType::Bits(bits) => Self::Unsigned(bits),
             DataType::Real32 => Self::Real(32),
             DataType::Real64 => Self::Real(64),
             DataType::Text(_) => Self::Text,
-            DataType::Int(_) | DataType::Uint(_) | DataType::Bitstring(_) => Self::Bytes(data_type.bytes()),
+        }
+    }
+
+    /// What is known to have so many bits and no more.
+    pub(super) fn of_bits(bits: u32) -> Self {
+        match u8::try_from(bits) {
+            Ok(1) => Self::Bool,
+            Ok(bits @ (2..=7 | 24 | 40 | 48 | 56)) => Self::Unsigned(bits),
+            Ok(bits @ ..=64) => Self::Unsigned(bits.next_power_of_two().max(8)),
+            _ => Self::Bytes(bits.div_ceil(8)),
         }
     }
 
@@ -43,8 +51,11 @@ impl Primitive {
         };
         match self {
             Self::Bool => quote!(bool),
-            Self::Signed(bits) => named("i", bits),
-            Self::Unsigned(bits) => named("u", bits),
+            Self::Signed(bits) if self.is_native() => named("i", bits),
+            Self::Unsigned(bits) if self.is_native() => named("u", bits),
+            Self::Signed(bits) => named("Int", bits),
+            Self::Unsigned(bits @ ..8) => named("Bit", bits),
+            Self::Unsigned(bits) => named("Uint", bits),
             Self::Real(bits) => named("f", bits),
             Self::Bytes(length) => {
                 let length = literal::number(length);
@@ -58,10 +69,28 @@ impl Primitive {
     fn is_number(self) -> bool {
         matches!(self, Self::Signed(_) | Self::Unsigned(_))
     }
-}
 
-fn native(bits: u8) -> bool {
-    matches!(bits, 8 | 16 | 32 | 64)
+    /// Whether Rust has the type.
+    pub(super) fn is_native(self) -> bool {
+        match self {
+            Self::Signed(bits) | Self::Unsigned(bits) => matches!(bits, 8 | 16 | 32 | 64),
+            Self::Bool | Self::Real(_) | Self::Bytes(_) | Self::Text => true,
+        }
+    }
+
+    /// A value of the type that is this number in a constant.
+    pub(super) fn constant(self, number: TokenStream) -> TokenStream {
+        if self.is_native() {
+            return number;
+        }
+        let name = self.tokens();
+        quote!(#name::of::<#number>())
+    }
+
+    /// The number that a value of the type is, as Rust counts.
+    pub(super) fn counted(self, value: TokenStream) -> TokenStream {
+        if self.is_native() { value } else { quote!(#value.get()) }
+    }
 }
 
 /// The type of a value in generated code: a primitive, or a struct around it.
@@ -191,13 +220,14 @@ impl<'a> Types<'a> {
     /// The type at an address of the first axis.
     pub(super) fn at(&self, address: Option<Address>, data_type: DataType) -> ValueType {
         let newtype = address.and_then(|address| self.newtypes.get(&address)).cloned();
+        let is_word = address.is_some_and(|address| self.words.contains(&address));
         let primitive = match Primitive::of(data_type) {
-            Primitive::Signed(bits) if address.is_some_and(|address| self.words.contains(&address)) => {
-                Primitive::Unsigned(bits)
-            }
+            Primitive::Signed(bits) if is_word => Primitive::Unsigned(bits),
             primitive => primitive,
         };
-        ValueType { primitive, newtype: newtype.filter(|_| primitive.is_number()) }
+        // the struct of a word is around a number of Rust's
+        let fits = primitive.is_number() && (primitive.is_native() || !is_word);
+        ValueType { primitive, newtype: newtype.filter(|_| fits) }
     }
 
     /// The struct around the number at an address of the first axis.
