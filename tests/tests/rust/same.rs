@@ -7,7 +7,8 @@ use devc::lint::Checked;
 use devc::model::Family;
 use devc::source::Disk;
 use quote::{ToTokens, quote};
-use syn::{Item, parse_quote};
+use syn::visit_mut::VisitMut;
+use syn::{Attribute, Expr, Item, Lit, Meta, MetaNameValue, parse_quote};
 
 const GENERATED: &str = include_str!("../../../generated/c887/c887.rs");
 
@@ -28,9 +29,29 @@ fn assert_same(ours: &str, file: &str) {
     assert_eq!(ours.lines().count(), file.lines().count());
 }
 
-/// The same layout for the same code.
+/// The same layout for the same code, with an attribute for each line of documentation.
 fn printed(file: &syn::File) -> String {
-    prettyplease::unparse(file)
+    let mut file = file.clone();
+    Docs.visit_file_mut(&mut file);
+    prettyplease::unparse(&file)
+}
+
+/// Takes documentation of several lines apart.
+struct Docs;
+
+impl VisitMut for Docs {
+    fn visit_attributes_mut(&mut self, attributes: &mut Vec<Attribute>) {
+        let lines = |attribute: Attribute| {
+            let Meta::NameValue(MetaNameValue { value: Expr::Lit(value), .. }) = &attribute.meta else {
+                return vec![attribute];
+            };
+            let Lit::Str(text) = &value.lit else { return vec![attribute] };
+            let (text, style) = (text.value(), attribute.style);
+            let line = |line: &str| Attribute { style, ..parse_quote!(#[doc = #line]) };
+            text.split('\n').map(line).collect()
+        };
+        *attributes = std::mem::take(attributes).into_iter().flat_map(lines).collect();
+    }
 }
 
 #[test]

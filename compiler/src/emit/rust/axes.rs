@@ -148,6 +148,6 @@ pub(super) fn index(first: Index, shift: Option<u16>) -> TokenStream {
     let first = hex16(first.0);
     match shift.map(distance) {
         Some(shift) => quote!(axis.index(#first, #shift)),
-        None => first,
+        None => quote!(#first),
     }
 }

@@ -1,6 +1,6 @@
 //! Numbers of which some have names. The others stay what they are.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::doc::{Doc, escape, sentence};
@@ -24,7 +24,7 @@ struct Newtype<'a> {
 
 /// A value with a name.
 struct Named<'a> {
-    literal: TokenStream,
+    literal: Literal,
     id: &'a str,
     name: &'a str,
     /// What there is to say of it.

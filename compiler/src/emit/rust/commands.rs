@@ -89,7 +89,7 @@ fn of_transition<'a>(device: &'a Device, transition: &'a Transition) -> Option<G
 fn constant(command: &Given<'_>, name: &Ident) -> TokenStream {
     let Given { id: _, name: text, pattern, transitions, ignored_in, doc } = command;
     let (mask, value, edge) = (hex16(pattern.mask()), hex16(pattern.value()), edge(pattern));
-    let (transitions, ignored_in) = (transitions.iter().map(number), set(ignored_in));
+    let (transitions, ignored_in) = (transitions.iter().copied().map(number), set(ignored_in));
     quote! {
         #doc
         pub const #name: Command = Command {

@@ -1,8 +1,9 @@
 //! Doc comments.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, TokenStreamExt, quote};
 
+use super::literal;
 use crate::model::{Device, Source};
 
 /// Columns of a line of documentation.
@@ -57,21 +58,27 @@ impl Doc {
 
     /// The documentation of the module that it stands in.
     pub(super) fn inner(&self) -> TokenStream {
-        let lines = self.lines.iter().map(|line| spaced(line));
-        quote!(#(#![doc = #lines])*)
+        let text = self.literal().into_iter();
+        quote!(#(#![doc = #text])*)
+    }
+
+    /// All lines as `///` has them, as one literal, if there are any.
+    fn literal(&self) -> Option<Literal> {
+        let mut text = String::with_capacity(self.lines.iter().map(|line| line.len() + 2).sum());
+        for (number, line) in self.lines.iter().enumerate() {
+            text.push_str(if number > 0 { "\n" } else { "" });
+            text.push_str(if line.is_empty() { "" } else { " " });
+            text.push_str(line);
+        }
+        (!self.lines.is_empty()).then(|| literal::text(&text))
     }
 }
 
 impl ToTokens for Doc {
     fn to_tokens(&self, tokens: &mut TokenStream) {
-        let lines = self.lines.iter().map(|line| spaced(line));
-        tokens.append_all(quote!(#(#[doc = #lines])*));
+        let text = self.literal().into_iter();
+        tokens.append_all(quote!(#(#[doc = #text])*));
     }
-}
-
-/// A line as `///` has it.
-fn spaced(line: &str) -> String {
-    if line.is_empty() { String::new() } else { format!(" {line}") }
 }
 
 /// The place, with the document's number if it is not the main one.
@@ -108,15 +115,19 @@ pub(super) fn sentence(text: &str) -> String {
 }
 
 fn wrap(text: &str, lines: &mut Vec<String>) {
-    let mut line = String::new();
+    let (mut line, mut columns) = (String::with_capacity(text.len().min(WIDTH)), 0);
     for word in text.split_whitespace() {
-        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > WIDTH {
+        let width = word.chars().count();
+        if columns > 0 && columns + 1 + width > WIDTH {
             lines.push(std::mem::take(&mut line));
+            columns = 0;
         }
-        if !line.is_empty() {
+        if columns > 0 {
             line.push(' ');
+            columns += 1;
         }
         line.push_str(word);
+        columns += width;
     }
     lines.push(line);
 }

@@ -81,7 +81,7 @@ fn table(name: &Ident, codes: &[&ErrorCode], ranges: &[&ErrorCode]) -> TokenStre
     let codes = codes.iter().map(|error| {
         let (code, name, text) = (hex16(error.code), &error.name, text(error));
         let register = option(error.register.map(hex8));
-        let vendor = error.vendor_codes.iter().map(number);
+        let vendor = error.vendor_codes.iter().copied().map(number);
         quote!(info(#code, #name, #register, &[#(#vendor),*], #text))
     });
     let ranges = ranges.iter().map(|range| {

@@ -1,7 +1,7 @@
 //! Numbers and texts as a person would write them.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, quote};
 
 use super::types::Primitive;
 use crate::model::{DataType, Entry, Value};
@@ -16,33 +16,52 @@ pub(super) fn line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
+/// A text; [`Literal::string`] makes the same of it, but asks of each character whether it can be shown.
+pub(super) fn text(text: &str) -> Literal {
+    let mut code = String::with_capacity(text.len() + 16);
+    code.push('"');
+    for c in text.chars() {
+        if matches!(c, '"' | '\\') {
+            code.push('\\');
+        }
+        code.push(c);
+    }
+    code.push('"');
+    code.parse().unwrap_or_else(|_| Literal::string(text))
+}
+
+/// Code that is known to be one literal.
+fn literal(code: &str) -> Literal {
+    code.parse().unwrap_or_else(|_| Literal::string(code))
+}
+
 /// An index, a mask or another number of 16 bits: `0x6040`.
-pub(super) fn hex16(value: u16) -> TokenStream {
-    parsed(&format!("0x{value:04X}"))
+pub(super) fn hex16(value: u16) -> Literal {
+    literal(&format!("0x{value:04X}"))
 }
 
 /// A distance between indices: `0x800`.
-pub(super) fn distance(value: u16) -> TokenStream {
-    parsed(&format!("0x{value:X}"))
+pub(super) fn distance(value: u16) -> Literal {
+    literal(&format!("0x{value:X}"))
 }
 
 /// A number of 8 bits: `0x81`.
-pub(super) fn hex8(value: u8) -> TokenStream {
-    parsed(&format!("0x{value:02X}"))
+pub(super) fn hex8(value: u8) -> Literal {
+    literal(&format!("0x{value:02X}"))
 }
 
 /// A number of 32 bits: `0x0000_076D`.
-pub(super) fn hex32(value: u32) -> TokenStream {
-    parsed(&format!("0x{:04X}_{:04X}", value >> 16, value & 0xFFFF))
+pub(super) fn hex32(value: u32) -> Literal {
+    literal(&format!("0x{:04X}_{:04X}", value >> 16, value & 0xFFFF))
 }
 
-/// A number without its type.
-pub(super) fn number(value: impl std::fmt::Display) -> TokenStream {
-    parsed(&value.to_string())
+/// A number without its type; none that is counted here is too large.
+pub(super) fn number(value: impl TryInto<i128>) -> Literal {
+    Literal::i128_unsuffixed(value.try_into().unwrap_or(i128::MAX))
 }
 
 /// A value that may be missing.
-pub(super) fn option(value: Option<TokenStream>) -> TokenStream {
+pub(super) fn option(value: Option<impl ToTokens>) -> TokenStream {
     match value {
         Some(value) => quote!(Some(#value)),
         None => quote!(None),
@@ -50,7 +69,7 @@ pub(super) fn option(value: Option<TokenStream>) -> TokenStream {
 }
 
 /// A number with its thousands apart: `100_000`.
-pub(super) fn grouped(value: u64) -> TokenStream {
+pub(super) fn grouped(value: u64) -> Literal {
     let digits = value.to_string();
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {
@@ -59,7 +78,7 @@ pub(super) fn grouped(value: u64) -> TokenStream {
         }
         text.push(digit);
     }
-    parsed(&text)
+    literal(&text)
 }
 
 /// The default of an entry, as people write it; nothing stands for 0.
@@ -84,8 +103,10 @@ fn default(entry: &Entry, primitive: Primitive) -> TokenStream {
         (Primitive::Bytes(length), value) => bytes(value, data_type, length),
         (Primitive::Real(_), Some(Value::Real(value))) => parsed(&format!("{value:?}")),
         (Primitive::Real(_), value) => parsed(&format!("{}.0", whole(value))),
-        (Primitive::Unsigned(bits), value) if entry.unit.is_none() => unsigned(whole(value), bits),
-        (Primitive::Unsigned(_) | Primitive::Signed(_), value) => number(whole(value)),
+        (Primitive::Unsigned(bits), value) if entry.unit.is_none() => {
+            unsigned(whole(value), bits).into_token_stream()
+        }
+        (Primitive::Unsigned(_) | Primitive::Signed(_), value) => number(whole(value)).into_token_stream(),
     }
 }
 
@@ -94,10 +115,10 @@ fn whole(value: Option<&Value>) -> i128 {
 }
 
 /// Large numbers without a sign and without a unit are mostly made of parts, so they are shown in hex.
-fn unsigned(value: i128, bits: u8) -> TokenStream {
+fn unsigned(value: i128, bits: u8) -> Literal {
     match (u32::try_from(value), bits) {
         (Ok(value), 32) if value > 0xFFFF => hex32(value),
-        (Ok(_), 16 | 32) if value > 0xFF => parsed(&format!("0x{value:04X}")),
+        (Ok(_), 16 | 32) if value > 0xFF => literal(&format!("0x{value:04X}")),
         _ => number(value),
     }
 }

@@ -1,6 +1,6 @@
 //! The state machine as a whole: what the runtime's drive and master run on.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::doc::Doc;
@@ -119,7 +119,7 @@ fn change(change: &ModeChange) -> TokenStream {
 }
 
 /// The codes that fit the object of the mode, which has 8 bits; a rule reports the others.
-fn codes(codes: &[i16]) -> Vec<TokenStream> {
+fn codes(codes: &[i16]) -> Vec<Literal> {
     codes.iter().filter_map(|code| i8::try_from(*code).ok()).map(number).collect()
 }
 

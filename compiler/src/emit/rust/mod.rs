@@ -4,6 +4,7 @@
 //! same tokens out for people. One file for each concern; each function makes one item.
 
 mod axes;
+mod braces;
 mod bytes;
 mod codes;
 mod commands;
@@ -48,6 +49,7 @@ pub use text::{Rust, module, text};
 
 use crate::lint::Checked;
 use crate::model::{Device, Family};
+use braces::braces;
 use scope::Scope;
 
 /// What generated code depends on its surroundings for.
@@ -71,8 +73,8 @@ pub fn tokens(family: &Checked<Family>, options: &Options) -> TokenStream {
         [device] => member(device, options),
         members => {
             let modules = members.iter().map(|device| {
-                let (name, content) = (snake(&device.id), member(device, options));
-                quote!(pub mod #name { #content })
+                let (name, content) = (snake(&device.id), braces([member(device, options)]));
+                quote!(pub mod #name #content)
             });
             let title = doc::Doc::new(format!("The devices of the family {}.", doc::escape(&family.name)));
             let title = title.inner();

@@ -19,7 +19,7 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let mut names = Names::default();
     let names: Vec<Ident> = modes.iter().map(|(mode, _)| names.claim(&camel(&mode.id))).collect();
     let variants = modes.iter().zip(&names).map(|((mode, code), name)| {
-        let (doc, code) = (doc(scope, mode), number(code));
+        let (doc, code) = (doc(scope, mode), number(*code));
         quote!(#doc #name = #code,)
     });
     let (texts, implementation) = (texts(&modes, &names), implementation(&modes, &names));

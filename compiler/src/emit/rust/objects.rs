@@ -1,9 +1,12 @@
 //! A typed constant for each entry.
 
-use proc_macro2::{Ident, TokenStream};
+use std::iter;
+
+use proc_macro2::{Group, Ident, TokenStream};
 use quote::quote;
 
 use super::axes::Placed;
+use super::braces::braces;
 use super::entry;
 use super::literal::{distance, hex16, number};
 use super::names::{Names, shout, snake};
@@ -12,13 +15,10 @@ use crate::model::{Access, Entry, Kind, Mappable, Object};
 
 pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
     let mut names = Names::default();
-    let objects = scope.objects.iter().map(|placed| object(scope, placed, &mut names));
+    let content = content(scope.objects.iter().map(|placed| object(scope, placed, &mut names)));
     quote! {
         /// The entries of the object dictionary, as a master reads and writes them.
-        pub mod objects {
-            use super::*;
-            #(#objects)*
-        }
+        pub mod objects #content
     }
 }
 
@@ -35,13 +35,18 @@ fn object(scope: &Scope<'_>, placed: &Placed<'_, Object>, names: &mut Names) -> 
         let name = names.claim(&constant_name(placed, &entry.id));
         constant(scope, placed, entry, &name)
     });
-    quote! {
-        #doc
-        pub mod #name {
+    let content = content(constants);
+    quote!(#doc pub mod #name #content)
+}
+
+/// What is in the braces of a module.
+fn content(items: impl Iterator<Item = TokenStream>) -> Group {
+    braces(
+        iter::once(quote!(
             use super::*;
-            #(#constants)*
-        }
-    }
+        ))
+        .chain(items),
+    )
 }
 
 /// A function of the axis is named as functions are.

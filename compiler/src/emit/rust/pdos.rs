@@ -109,7 +109,7 @@ fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident) -> TokenSt
                 let shift = placed.shift.and_then(|_| axes::shift(scope.device, address.index));
                 (axes::index(address.index, shift), number(address.subindex))
             }
-            None => (number(0), number(0)),
+            None => (quote!(0), number(0)),
         };
         let bits = number(mapped.bits);
         quote!(Mapping { address: Address::new(#index, #subindex), bits: #bits })

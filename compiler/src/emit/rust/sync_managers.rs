@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::doc::Doc;
@@ -50,6 +50,6 @@ fn item(scope: &Scope<'_>, manager: &SyncManager, way: Direction) -> TokenStream
     }
 }
 
-fn hex(index: &Index) -> TokenStream {
+fn hex(index: &Index) -> Literal {
     hex16(index.0)
 }

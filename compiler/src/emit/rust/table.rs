@@ -248,7 +248,7 @@ fn entry(entry: &Entry, item: Option<usize>) -> TokenStream {
 
 /// The position of a value among those of its object that can change.
 fn place(item: Option<usize>) -> TokenStream {
-    item.map_or_else(|| quote!(CONSTANT), number)
+    item.map(number).map_or_else(|| quote!(CONSTANT), |item| quote!(#item))
 }
 
 /// Type, length and rights.

@@ -42,8 +42,13 @@ impl Printer {
             && equals.is_sign("=")
             && let Some(text) = comment_text(&text.to_string())
         {
-            self.document.text.push_str(comment);
-            self.document.text.push_str(&text);
+            for (number, line) in text.split('\n').enumerate() {
+                if number > 0 {
+                    self.document.line();
+                }
+                self.document.text.push_str(comment);
+                self.document.text.push_str(line);
+            }
             return self.document.heighten();
         }
         self.document.text.push_str(opening);
@@ -54,17 +59,17 @@ impl Printer {
     }
 }
 
-/// What a literal says, if a comment of one line can say it too.
+/// What a literal says, if comments can say it too, one for each of its lines.
 fn comment_text(literal: &str) -> Option<String> {
     let text = match literal.strip_prefix('r') {
         Some(raw) => raw.trim_matches('#').strip_prefix('"')?.strip_suffix('"')?.to_owned(),
         None => unescaped(literal.strip_prefix('"')?.strip_suffix('"')?)?,
     };
     // with a slash more it would be no documentation
-    (!text.starts_with('/') && !text.contains(['\n', '\r'])).then_some(text)
+    (!text.split('\n').any(|line| line.starts_with('/')) && !text.contains('\r')).then_some(text)
 }
 
-/// The text without the escapes of a literal; none if there is one of a line or of a byte.
+/// The text without the escapes of a literal; none if there is one that no comment can say.
 fn unescaped(escaped: &str) -> Option<String> {
     let mut text = String::with_capacity(escaped.len());
     let mut parts = escaped.split('\\');
@@ -78,6 +83,7 @@ fn unescaped(escaped: &str) -> Option<String> {
                 text.push_str(parts.next()?);
                 continue;
             }
+            Some('n') => text.push('\n'),
             Some('t') => text.push('\t'),
             Some('u') => {
                 let (code, rest) = chars.as_str().strip_prefix('{')?.split_once('}')?;
@@ -100,9 +106,15 @@ mod tests {
 
     #[test]
     fn a_comment_says_what_the_literal_says() {
-        for text in
-            ["", " plain", " \"quoted\" \\_ 'x'", " a\\\\b", " tab\tθ\u{301} \u{200b}", " ends with \\"]
-        {
+        for text in [
+            "",
+            " plain",
+            " \"quoted\" \\_ 'x'",
+            " a\\\\b",
+            " tab\tθ\u{301} \u{200b}",
+            " ends with \\",
+            " two\n\n lines",
+        ] {
             assert_eq!(comment_text(&Literal::string(text).to_string()).as_deref(), Some(text));
         }
     }
@@ -115,7 +127,7 @@ mod tests {
 
     #[test]
     fn what_a_comment_cannot_say_stays_an_attribute() {
-        for text in ["/ four slashes", "two\nlines", "\r", "\0"] {
+        for text in ["/ four slashes", "two\n/ lines", "\r", "\0"] {
             assert_eq!(comment_text(&Literal::string(text).to_string()), None, "{text:?}");
         }
     }

@@ -19,6 +19,7 @@ mod tests;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::braces::braces;
 use super::{Options, tokens};
 use crate::emit::Emitter;
 use crate::lint::Checked;
@@ -54,8 +55,8 @@ pub fn text(family: &Checked<Family>, options: &Options) -> String {
 ///
 /// An included file cannot begin with documentation of where it is included, so it brings a module of its own.
 pub fn module(family: &Checked<Family>, name: &proc_macro2::Ident, options: &Options) -> String {
-    let content = tokens(family, options);
-    laid_out(quote!(pub mod #name { #content }))
+    let content = braces([tokens(family, options)]);
+    laid_out(quote!(pub mod #name #content))
 }
 
 /// The items as lines.
