@@ -135,7 +135,7 @@ impl Newtype<'_> {
         let mut names = Names::default();
         let constants = values.iter().map(|Named { literal, id, doc, .. }| {
             let constant = names.claim(&shout(id));
-            let value = primitive.constant(literal.clone());
+            let value = primitive.constant(quote!(#literal));
             quote!(#doc pub const #constant: Self = Self(#value);)
         });
         let arms = values.iter().map(|Named { literal, name, .. }| quote!(#literal => Some(#name),));
