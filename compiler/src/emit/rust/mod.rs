@@ -26,6 +26,7 @@ mod objects;
 mod packing;
 mod pdos;
 mod ranges;
+mod rows;
 mod scope;
 mod slots;
 mod start_up;

@@ -6,72 +6,62 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::information;
-use super::literal::{hex8, number, parsed};
+use super::literal::{hex8, number};
+use super::rows::{self, Row};
 use super::scope::Scope;
 use super::stored::{Home, Stored, homes};
-use crate::model::{Access, DataType, Entry, Index, Kind, Mappable, Object, Value};
+use crate::model::{Index, Object};
 
 /// Objects whose indices share the high byte.
 pub(super) struct Page<'a> {
     pub(super) high: u8,
-    objects: Vec<Row<'a>>,
+    /// The objects, ascending by index, and where the values of each are if it has any that can change.
+    objects: Vec<(&'a Object, Option<&'a Home>)>,
 }
 
-/// An object, and where its values are if it has any that can change.
-struct Row<'a> {
-    object: &'a Object,
-    home: Option<&'a Home>,
+/// What is on a page, which says nothing of the high byte: pages of axes that are alike have the same.
+#[derive(PartialEq)]
+struct Layout {
+    /// The low bytes of the indices.
+    lows: Vec<u8>,
+    rows: Vec<Row>,
 }
 
 impl<'a> Page<'a> {
     /// The objects, ascending by index.
     pub(super) fn objects(&self) -> impl Iterator<Item = &'a Object> {
-        self.objects.iter().map(|row| row.object)
-    }
-
-    fn lows(&self) -> impl Iterator<Item = u8> {
-        self.objects.iter().map(|row| row.object.index.0.to_be_bytes()[1])
+        self.objects.iter().map(|(object, _)| *object)
     }
 
     /// The axis from which the objects count theirs.
     fn axis(&self) -> u8 {
-        self.objects.iter().filter_map(|row| row.home?.axis).min().unwrap_or(0)
+        self.objects.iter().filter_map(|(_, home)| (*home)?.axis).min().unwrap_or(0)
     }
 
-    /// The table of objects, which says nothing of the high byte: pages of axes that are alike have the same.
-    fn table(&self, constants: &mut Constants) -> TokenStream {
-        let objects = self.objects.iter().map(|row| row.tokens(self.axis(), constants));
-        quote!([#(#objects),*])
-    }
-
-    fn first(&self) -> u8 {
-        self.lows().next().unwrap_or(0)
-    }
-
-    /// The position of each low byte, from the first to the last.
-    fn slots(&self) -> TokenStream {
-        let last = self.lows().last().unwrap_or(0);
-        let length = number(u16::from(last).saturating_sub(self.first().into()).saturating_add(1));
-        let (first, lows) = (hex8(self.first()), self.lows().map(hex8));
-        quote!([u8; #length] = positions(#first, &[#(#lows),*]))
+    fn layout(&self, constants: &mut Constants) -> Layout {
+        let axis = self.axis();
+        let rows = self.objects.iter().map(|(object, home)| {
+            let constants = constants.position(rows::constants(object, *home));
+            Row::new(object, *home, axis, constants)
+        });
+        let lows = self.objects().map(|object| object.index.0.to_be_bytes()[1]).collect();
+        Layout { rows: rows.collect(), lows }
     }
 }
 
 pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let homes = homes(stored);
     let pages = pages(&scope.device.objects, &homes);
-    let mut shared: Vec<(String, Ident)> = Vec::new();
+    let mut shared: Vec<(Layout, Ident)> = Vec::new();
     let (mut tables, mut rows) = (TokenStream::new(), Vec::new());
     let mut constants = Constants::default();
     for page in &pages {
-        let table = page.table(&mut constants);
-        let slots = page.slots();
-        let key = format!("{table}{slots}");
-        let known = shared.iter().find(|(known, _)| *known == key).map(|(_, name)| name.clone());
+        let layout = page.layout(&mut constants);
+        let known = shared.iter().find(|(known, _)| *known == layout).map(|(_, name)| name.clone());
         let name = known.unwrap_or_else(|| {
             let name = format_ident!("PAGE_{:02X}", page.high);
-            tables.extend(page_const(&name, page, &table, &slots));
-            shared.push((key, name.clone()));
+            tables.extend(layout.tokens(page.high, &name));
+            shared.push((layout, name.clone()));
             name
         });
         let axis = number(page.axis());
@@ -97,26 +87,32 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     }
 }
 
+impl Layout {
+    /// The constants of a page, first of the positions of its objects, from the first low byte to the last.
+    fn tokens(&self, high: u8, name: &Ident) -> TokenStream {
+        let (first, last) = (self.lows.first().copied().unwrap_or(0), self.lows.last().copied().unwrap_or(0));
+        let length = number(u16::from(last).saturating_sub(first.into()).saturating_add(1));
+        let (first, lows) = (hex8(first), self.lows.iter().copied().map(hex8));
+        let (slots, objects) = (format_ident!("SLOTS_{high:02X}"), self.rows.iter().map(Row::tokens));
+        quote! {
+            const #slots: [u8; #length] = positions(#first, &[#(#lows),*]);
+
+            const #name: Page = Page { first: #first, axis: 0, slots: &#slots, objects: &[#(#objects),*] };
+        }
+    }
+}
+
 fn pages<'a>(objects: &'a [Object], homes: &'a BTreeMap<Index, Home>) -> Vec<Page<'a>> {
     let mut pages: Vec<Page<'_>> = Vec::new();
     for object in objects {
         let [high, _] = object.index.0.to_be_bytes();
-        let row = Row { object, home: homes.get(&object.index) };
+        let row = (object, homes.get(&object.index));
         match pages.last_mut().filter(|page| page.high == high) {
             Some(page) => page.objects.push(row),
             None => pages.push(Page { high, objects: vec![row] }),
         }
     }
     pages
-}
-
-fn page_const(name: &Ident, page: &Page<'_>, table: &TokenStream, slots: &TokenStream) -> TokenStream {
-    let (first, slots_name) = (hex8(page.first()), format_ident!("SLOTS_{:02X}", page.high));
-    quote! {
-        const #slots_name: #slots;
-
-        const #name: Page = Page { first: #first, axis: 0, slots: &#slots_name, objects: &#table };
-    }
 }
 
 /// What makes a line of each object and entry.
@@ -180,120 +176,4 @@ impl Constants {
         let (count, bytes) = (number(self.bytes.len()), self.bytes.iter().map(|byte| hex8(*byte)));
         quote!(const CONSTANTS: [u8; #count] = [#(#bytes),*];)
     }
-}
-
-impl Row<'_> {
-    /// The object on a page whose objects count their axis from this one.
-    fn tokens(&self, axis: u8, constants: &mut Constants) -> TokenStream {
-        let code = match self.object.kind {
-            Kind::Var => quote!(ObjectCode::Variable),
-            Kind::Array => quote!(ObjectCode::Array),
-            Kind::Record => quote!(ObjectCode::Record),
-        };
-        let constants = number(constants.position(self.constants()));
-        let entries = match self.list() {
-            Some(list) => quote!(&const { #list }),
-            None => {
-                let entries = self.object.entries.iter().map(|it| entry(it, self.item(it)));
-                quote!(&[#(#entries),*])
-            }
-        };
-        let Some(home) = self.home else { return quote!(constant(#code, #entries, #constants)) };
-        let own = home.axis.map_or(0, |own| own.saturating_sub(axis));
-        let (axis, field) = (number(own), number(home.field));
-        quote!(object(#code, #axis, #field, #entries, #constants))
-    }
-
-    /// The position among the values that can change.
-    fn item(&self, entry: &Entry) -> Option<usize> {
-        self.home?.subindices.iter().position(|subindex| *subindex == entry.address.subindex)
-    }
-
-    /// The values that cannot.
-    fn constants(&self) -> Vec<u8> {
-        let fixed = self.object.entries.iter().filter(|entry| self.item(entry).is_none());
-        fixed.flat_map(bytes).collect()
-    }
-
-    /// The entries of an object that has a number of entries, which never changes, and after that entries all alike.
-    fn list(&self) -> Option<TokenStream> {
-        let (count, items) = self.object.entries.split_first()?;
-        let first = items.first()?;
-        let is_count = count.data_type == DataType::Uint(8) && access(count).to_string() == "RO";
-        let mut in_a_row = self.object.entries.iter().zip(0..=u8::MAX);
-        let in_a_row = in_a_row.all(|(entry, subindex)| entry.address.subindex == subindex);
-        let alike = |it: &Entry| attributes(it).to_string() == attributes(first).to_string();
-        let from = self.item(first);
-        let places = |(it, place)| self.item(it) == from.map(|from| from.saturating_add(place));
-        let is_list = is_count
-            && self.item(count).is_none()
-            && in_a_row
-            && items.iter().all(alike)
-            && items.iter().zip(0..).all(places);
-        let (length, from, attributes) = (number(self.object.entries.len()), place(from), attributes(first));
-        is_list.then(|| quote!(EntryInfo::list::<#length>(#from, #attributes)))
-    }
-}
-
-/// The default in the bytes of the type.
-fn bytes(entry: &Entry) -> Vec<u8> {
-    let default = entry.default.as_ref().unwrap_or(&Value::Integer(0));
-    default.little_endian(entry.data_type)
-}
-
-fn entry(entry: &Entry, item: Option<usize>) -> TokenStream {
-    let (subindex, item, attributes) = (number(entry.address.subindex), place(item), attributes(entry));
-    quote!(entry(#subindex, #item, #attributes))
-}
-
-/// The position of a value among those of its object that can change.
-fn place(item: Option<usize>) -> TokenStream {
-    item.map(number).map_or_else(|| quote!(CONSTANT), |item| quote!(#item))
-}
-
-/// Type, length and rights.
-fn attributes(entry: &Entry) -> TokenStream {
-    let (data_type, bits, access) =
-        (data_type(entry.data_type), number(entry.data_type.bits()), access(entry));
-    quote!(#data_type, #bits, #access)
-}
-
-/// Rights, with the state in which an entry is written that has only one.
-fn access(entry: &Entry) -> TokenStream {
-    let write = match entry.written.as_deref().and_then(|transition| transition.chars().next()) {
-        Some('P') => quote!(PRE_OP),
-        Some('S') => quote!(SAFE_OP),
-        Some('O') => quote!(OP),
-        _ => quote!(WO),
-    };
-    let rights = match (entry.access, write.to_string() == "WO") {
-        (Access::Ro | Access::Const, _) => quote!(RO),
-        (Access::Wo, _) => write,
-        (Access::Rw, true) => quote!(RW),
-        (Access::Rw, false) => quote!(RO.and(#write)),
-    };
-    match entry.pdo {
-        Mappable::None => rights,
-        Mappable::Rx => quote!(#rights.and(RX)),
-        Mappable::Tx => quote!(#rights.and(TX)),
-        Mappable::RxTx => quote!(#rights.and(RX).and(TX)),
-    }
-}
-
-/// The number of the type, by name where the runtime has one.
-fn data_type(data_type: DataType) -> TokenStream {
-    let name = match data_type {
-        DataType::Bool => "DataType::BOOLEAN".to_owned(),
-        DataType::Int(bits) => format!("DataType::INTEGER{bits}"),
-        DataType::Uint(bits) => format!("DataType::UNSIGNED{bits}"),
-        DataType::Real32 => "DataType::REAL32".to_owned(),
-        DataType::Real64 => "DataType::REAL64".to_owned(),
-        DataType::Text(_) => "DataType::VISIBLE_STRING".to_owned(),
-        // ETG.1020, base data types: BYTE, WORD, DWORD and BIT1 to BIT8
-        DataType::Bitstring(8) => "DataType(0x001E)".to_owned(),
-        DataType::Bitstring(16) => "DataType(0x001F)".to_owned(),
-        DataType::Bitstring(_) => "DataType(0x0020)".to_owned(),
-        DataType::Bits(bits) => format!("DataType(0x{:04X})", 0x2F + u16::from(bits)),
-    };
-    parsed(&name)
 }
