@@ -14,11 +14,11 @@ pub(crate) struct Code {
     pub(crate) stack: BTreeMap<String, f64>,
 }
 
-/// The code of functions of a program, each as its distance from `next_subject` and its subject.
+/// The code of functions of a program, each as its distance from `subject_mark` and its subject.
 pub(crate) fn of(program: &Path, functions: &[String]) -> Fallible<Code> {
     let mut code = Code::default();
     let Some(symbols) = text(Command::new("nm").arg("-S").arg(program)) else { return Ok(code) };
-    let (mark, sizes) = symbols_in(&symbols).ok_or("the program has no symbol `next_subject`")?;
+    let (mark, sizes) = symbols_in(&symbols).ok_or("the program has no symbol `subject_mark`")?;
     let objdump = text(Command::new("objdump").args(["-d", "--no-show-raw-insn"]).arg(program));
     let lines = objdump.filter(|_| ARCH == "x86_64").map(|text| instructions_in(&text)).unwrap_or_default();
     for (distance, subject) in functions.iter().filter_map(|function| function.split_once(' ')) {
@@ -49,7 +49,7 @@ fn symbols_in(text: &str) -> Option<(u64, BTreeMap<u64, u64>)> {
             continue;
         };
         sizes.insert(address, size);
-        if name.contains("next_subject") {
+        if name.contains("subject_mark") {
             mark = Some(address);
         }
     }

@@ -72,9 +72,9 @@ impl Program {
 
     fn instructions(&self, subjects: &[String]) -> Fallible<BTreeMap<String, f64>> {
         let mut command = Command::new(&self.0);
-        let parts = instructions(command.arg(ROUNDS.to_string()), Some("next_subject"))?;
-        // the first part is that before the first subject
-        let parts = parts.ok_or("there is no valgrind")?.into_iter().skip(1);
+        let parts = instructions(command.arg(ROUNDS.to_string()), Some("subject_mark"))?;
+        // the others are those before, between and after the subjects
+        let parts = parts.ok_or("there is no valgrind")?.into_iter().skip(1).step_by(2);
         let each = parts.map(|part| part as f64 / f64::from(ROUNDS));
         let all: BTreeMap<String, f64> = subjects.iter().cloned().zip(each).collect();
         let without_call = all.iter().map(|(subject, cost)| {

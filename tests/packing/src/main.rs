@@ -1,4 +1,4 @@
-//! One subject after another, each often; [`next_subject`] stands between them, so that callgrind tells them apart.
+//! One subject after another, each often; [`subject_mark`] stands before and after each, so that callgrind tells them apart.
 //!
 //! Without an argument it prints the names of the subjects, in their order; with a number it runs each so often; with
 //! another argument it prints where the functions of the subjects are.
@@ -37,26 +37,27 @@ impl Task {
             Self::Name => println!("{name}"),
             Self::Find => {}
             Self::Run(rounds) => {
-                next_subject();
+                subject_mark();
                 for _ in 0..*rounds {
                     subject();
                 }
+                subject_mark();
             }
         }
     }
 
-    /// Says where the function of a subject is, counted from [`next_subject`].
+    /// Says where the function of a subject is, counted from [`subject_mark`].
     pub fn function(&self, name: &str, address: usize) {
         if let Self::Find = self {
-            let from = next_subject as fn() as usize;
+            let from = subject_mark as fn() as usize;
             println!("{} {name}", address.wrapping_sub(from) as isize);
         }
     }
 }
 
-/// The mark between subjects.
+/// Where a subject begins or ends.
 #[inline(never)]
-fn next_subject() {
+fn subject_mark() {
     black_box(());
 }
 
@@ -68,5 +69,4 @@ fn main() {
     };
     packing::run(&task);
     lookup::run(&task);
-    task.subject("end", || {});
 }

@@ -9,6 +9,13 @@
 #[rustfmt::skip]
 #[path = "../../../../generated/c887/c887.rs"]
 mod c887;
+#[rustfmt::skip]
+#[path = "../../../../generated/pmc-sc6/pmc-sc6.rs"]
+mod pmc_sc6;
+#[rustfmt::skip]
+#[path = "../../../../generated/s700/s700.rs"]
+mod s700;
+
 mod dictionary;
 mod drive;
 mod master;

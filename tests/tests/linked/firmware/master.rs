@@ -3,15 +3,26 @@
 use core::hint::black_box;
 
 use devc_runtime::cia402::{
-    Feedback, Goal, Halt, Homing, Master, Move, Observer, Output, SetPoints, State, Timing,
+    Feedback, Goal, Halt, Homing, Machine, Master, Move, Observer, Output, SetPoints, State, Timing,
 };
 use devc_runtime::error::ErrorCode as _;
 use devc_runtime::unit::Length;
 
 use crate::c887::{ErrorCode, HOMING, MACHINE, units};
+use crate::{pmc_sc6, s700};
 
 pub fn run() {
-    let mut master = Master::new(&MACHINE).timing(black_box(Timing::DEFAULT));
+    of_device(&MACHINE);
+    of_device(&s700::s700::MACHINE);
+    of_device(&pmc_sc6::double::MACHINE);
+    black_box(ErrorCode(black_box(0x7121)).name());
+    black_box(units::POSITION_MM.saturating::<i32>(black_box(Length::millimetres(1))));
+    black_box(units::POSITION_MM.physical(black_box(1_i32)));
+}
+
+#[inline(never)]
+fn of_device(machine: &'static Machine) {
+    let mut master = Master::new(machine).timing(black_box(Timing::DEFAULT));
     master.request(black_box(Goal::OperationEnabled));
     master.quick_stop();
     black_box(master.reset_fault());
@@ -19,11 +30,8 @@ pub fn run() {
     let feedback = black_box(Feedback { statusword: 0x0237, mode: 8, seeded: true });
     let output = master.cycle(feedback);
     in_mode(&output, feedback.statusword);
-    let mut observer = Observer::new(&MACHINE);
+    let mut observer = Observer::new(machine);
     black_box(observer.observe(black_box(0)).unwrap_or(State::Fault));
-    black_box(ErrorCode(black_box(0x7121)).name());
-    black_box(units::POSITION_MM.saturating::<i32>(black_box(Length::millimetres(1))));
-    black_box(units::POSITION_MM.physical(black_box(1_i32)));
 }
 
 fn in_mode(output: &Output, statusword: u16) {

@@ -6,6 +6,8 @@ use devc_runtime::bytes::ByteArray;
 use devc_runtime::pdo::{InPlace, ProcessData};
 
 use crate::c887::{Controlword, Inputs, Outputs, RxPdo1600, RxPdo1601, Statusword, TxPdo1A00, TxPdo1A01};
+use crate::pmc_sc6::double;
+use crate::s700::s700::{DigitalIo, TxPdo1B0B};
 
 pub fn run() {
     by_value::<Outputs>();
@@ -14,6 +16,11 @@ pub fn run() {
     by_value::<RxPdo1601>();
     by_value::<TxPdo1A00>();
     by_value::<TxPdo1A01>();
+    by_value::<TxPdo1B0B>();
+    by_value::<double::Outputs>();
+    by_value::<double::Inputs>();
+    motion_tasks(black_box(&mut [0; 40]));
+    double_axis(black_box(&mut [0; 58]));
     outputs(black_box(&mut [0; 42]));
     inputs(black_box(&mut [0; 66]));
 }
@@ -43,5 +50,21 @@ fn inputs(frame: &mut [u8]) {
     }
     for mut axis in inputs.axes_mut() {
         axis.set_statusword(Statusword(black_box(0x0237)));
+    }
+}
+
+/// A PDO with a field that has fewer bits than its place in the frame.
+fn motion_tasks(frame: &mut [u8]) {
+    let Ok(mut inputs) = TxPdo1B0B::view_of_mut(frame) else { return };
+    inputs.set_digital_io(DigitalIo(black_box(inputs.digital_io().0)));
+    inputs.set_motion_task_status(black_box(inputs.motion_task_status()));
+}
+
+fn double_axis(frame: &mut [u8]) {
+    let Ok(mut inputs) = double::Inputs::view_of_mut(frame) else { return };
+    for mut axis in inputs.axes_mut() {
+        axis.set_velocity_actual_value(black_box(axis.velocity_actual_value()));
+        axis.set_torque_actual_value(black_box(axis.torque_actual_value()));
+        axis.set_status_word_user_defined(black_box(axis.status_word_user_defined()));
     }
 }
