@@ -1,4 +1,5 @@
-//! One subject after another, each often; [`subject_mark`] stands before and after each, so that callgrind tells them apart.
+//! One subject after another, each often; [`subject_mark`] stands before and after each, so that callgrind tells them
+//! apart.
 //!
 //! Without an argument it prints the names of the subjects, in their order; with a number it runs each so often; with
 //! another argument it prints where the functions of the subjects are.

@@ -2,9 +2,8 @@
 //!
 //! `firmware/` is a program without `std`, without `alloc` and without a start file, over the runtime and the
 //! generated modules of all devices: process data, the dictionary with its server and mailbox, the machines of both
-//! sides.
-//! Its panic handler calls a function that does not exist. So it links only if nothing that it reaches can panic. It
-//! is not a package, for the packages of this workspace forbid the `unsafe` that such a handler needs.
+//! sides. Its panic handler calls a function that does not exist. So it links only if nothing that it reaches can
+//! panic. It is not a package, for the packages of this workspace forbid the `unsafe` that such a handler needs.
 #![cfg(test)]
 #![cfg(target_os = "linux")]
 
