@@ -141,32 +141,42 @@ impl OwnPdo {
         }
     }
 
-    /// Index and mapping, on each axis if there are some.
-    fn pdo(&self) -> TokenStream {
-        let (name, runtime, free) = (&self.name, &self.runtime, &self.free);
-        let count = Literal::usize_unsuffixed(self.count());
+    /// How many axes there are, and the words that find the one of a number.
+    fn axes(&self) -> (TokenStream, TokenStream) {
+        match &self.axis {
+            Some(axis) => (quote!(#axis::ALL.len()), quote!(let axis = #axis::ALL[number];)),
+            None => (quote!(1), TokenStream::new()),
+        }
+    }
+
+    /// The lines of the mapping, with an `axis` if there are some.
+    fn rows(&self) -> TokenStream {
+        let (runtime, free) = (&self.runtime, &self.free);
         let gap = |bits: &u8| quote!(#runtime::pdo::Mapping::gap(#bits),);
-        let rows = self.fields.iter().map(|field| {
+        let of_fields = self.fields.iter().map(|field| {
             let (content, entry, runtime) = (&field.content, &field.entry, located(runtime, field.span));
             let gap = field.gap.iter().map(gap);
             let entry = quote_spanned!(field.span=> #runtime::pdo::mapped::<#free, #content, _, _>(#entry),);
             quote!(#(#gap)* #entry)
         });
-        let rows = rows.chain(self.gap.iter().map(gap));
-        let (axes, axis) = match &self.axis {
-            Some(axis) => (quote!(#axis::ALL.len()), quote!(let axis = #axis::ALL[number];)),
-            None => (quote!(1), TokenStream::new()),
-        };
+        of_fields.chain(self.gap.iter().map(gap)).collect()
+    }
+
+    /// Index and mapping, on each axis if there are some.
+    fn pdo(&self) -> TokenStream {
+        let (name, runtime, free) = (&self.name, &self.runtime, &self.free);
+        let (count, rows) = (Literal::usize_unsuffixed(self.count()), self.rows());
+        let (axes, axis) = self.axes();
         quote! {
             const _: () = {
                 const AXES: usize = #axes;
                 const TABLE: &[[#runtime::pdo::Mapping; #count]; AXES] = &{
-                    let none = #runtime::pdo::Mapping::from_word(0);
+                    let none = #runtime::pdo::Mapping::gap(0);
                     let mut table = [[none; #count]; AXES];
                     let mut number = 0;
                     while number < AXES {
                         #axis
-                        table[number] = [#(#rows)*];
+                        table[number] = [#rows];
                         number += 1;
                     }
                     table
@@ -198,10 +208,7 @@ impl OwnPdo {
                 quote_spanned!(span=> const _: () = #runtime::pdo::check_entry::<#free>(#number, #end);)
             })
             .collect();
-        let axes = match &self.axis {
-            Some(axis) => quote!(#axis::ALL.len()),
-            None => quote!(1),
-        };
+        let (axes, _) = self.axes();
         let span = free.clone().into_iter().last().map_or_else(|| self.name.span(), |token| token.span());
         let runtime = located(runtime, span);
         let whole = quote_spanned!(span=> const _: () = #runtime::pdo::check_mapping::<#free>(#axes););

@@ -14,13 +14,10 @@ pub(super) struct Settings {
 impl Settings {
     /// Reads the content of attributes; `known` are the keys that there are.
     pub(super) fn parse(attributes: &[TokenStream], known: &[&str]) -> Result<Self, Fault> {
-        let mut settings = Self::default();
-        for piece in attributes.iter().flat_map(pieces) {
-            if let Some(other) = settings.take(piece, known)? {
-                return Err(no_setting(other, known));
-            }
+        match Self::beside(attributes, known)? {
+            (None, settings) => Ok(settings),
+            (Some(other), _) => Err(no_setting(other, known)),
         }
-        Ok(settings)
     }
 
     /// The same where something may stand beside them that is no setting.
@@ -90,17 +87,15 @@ impl Settings {
 
     /// The path of the runtime crate, written as a path or as a text.
     pub(super) fn runtime(&self) -> Result<TokenStream, Fault> {
-        let Some(path) = self.get("runtime") else { return Ok(Options::default().runtime) };
-        let is_path =
-            path.clone().into_iter().all(|token| is(&token, ':') || matches!(token, TokenTree::Ident(_)));
-        if is_path && !path.is_empty() {
-            return Ok(path.clone());
-        }
-        let Some((path, span)) = self.text("runtime")? else { return Ok(Options::default().runtime) };
-        let is_path = path.trim_start_matches("::").split("::").all(is_identifier);
+        let Some((key, value)) = self.find("runtime") else { return Ok(Options::default().runtime) };
+        let path = match self.text("runtime") {
+            Ok(Some((text, _))) => text,
+            _ => value.to_string(),
+        };
+        let is_path = path.trim_start_matches("::").split("::").all(|name| is_identifier(name.trim()));
         match path.parse() {
             Ok(tokens) if is_path => Ok(tokens),
-            _ => Err(Fault::new(span, format!("`{path}` is no path of a crate or module"))),
+            _ => Err(Fault::new(key.span(), format!("`{path}` is no path of a crate or module"))),
         }
     }
 }
