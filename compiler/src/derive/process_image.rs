@@ -54,10 +54,8 @@ impl Image {
         let (mut parts, mut offset, mut place) = (Vec::new(), quote!(0), 0);
         for field in &record.fields {
             let part = Part::of(field, &offset, place)?;
-            let (pdo, count) = (&part.pdo, part.number());
-            let factor = Literal::usize_unsuffixed(count);
-            offset = quote!(#offset + #factor * <#pdo as #runtime::pdo::ProcessData>::LEN);
-            place += count;
+            offset = part.end(&runtime);
+            place += part.number();
             parts.push(part);
         }
         if parts.is_empty() {
@@ -74,24 +72,25 @@ impl Image {
 
     /// The bytes of all, an expression.
     fn length(&self) -> TokenStream {
-        let Some(last) = self.parts.last() else { return quote!(0) };
-        let (pdo, offset, runtime) = (&last.pdo, &last.offset, &self.runtime);
-        let factor = Literal::usize_unsuffixed(last.number());
-        quote!(#offset + #factor * <#pdo as #runtime::pdo::ProcessData>::LEN)
+        self.parts.last().map(|part| part.end(&self.runtime)).unwrap_or_default()
     }
 
+    /// The first PDO, which the others have to go with.
     fn first(&self) -> TokenStream {
         self.parts.first().map(|part| part.pdo.clone()).unwrap_or_default()
     }
 
     fn data(&self) -> TokenStream {
-        let (name, runtime, length, first) = (&self.name, &self.runtime, self.length(), self.first());
+        let (name, runtime, length) = (&self.name, &self.runtime, self.length());
+        let first = self.parts.first().map(|part| {
+            let data = part.data(runtime);
+            quote_spanned!(part.span=> type Device = #data::Device; type Direction = #data::Direction;)
+        });
         let pack = self.parts.iter().map(|part| part.pack(runtime));
         let unpack = self.parts.iter().map(|part| part.unpack(runtime));
         quote! {
             impl #runtime::pdo::ProcessData for #name {
-                type Device = <#first as #runtime::pdo::ProcessData>::Device;
-                type Direction = <#first as #runtime::pdo::ProcessData>::Direction;
+                #first
                 type Image = [u8; #length];
 
                 #[inline]
@@ -115,13 +114,13 @@ impl Image {
 
     /// The PDOs, in order.
     fn selection(&self) -> TokenStream {
-        let (name, runtime) = (&self.name, &self.runtime);
+        let (name, runtime, first) = (&self.name, &self.runtime, &self.first());
         let pdos = self.parts.iter().flat_map(|part| {
             let runtime = located(runtime, part.span);
             (0..part.number()).map(move |number| {
                 let (pdo, axis) = (&part.pdo, &part.axis);
                 let number = Literal::u8_suffixed(u8::try_from(number).unwrap_or(u8::MAX));
-                quote_spanned!(part.span=> #runtime::pdo::MappedPdo::of_axis::<#pdo>(#axis + #number))
+                quote_spanned!(part.span=> #runtime::pdo::selected::<#first, #pdo>(#axis + #number))
             })
         });
         quote! {
@@ -133,25 +132,14 @@ impl Image {
 
     /// What the device forbids, each at the field that is too much.
     fn checks(&self) -> TokenStream {
-        let (name, runtime, first) = (&self.name, &self.runtime, self.first());
+        let (name, runtime) = (&self.name, &self.runtime);
         let of_parts = self.parts.iter().map(|part| {
-            let (pdo, runtime) = (&part.pdo, &located(runtime, part.span));
+            let runtime = &located(runtime, part.span);
             let checks = (part.place..part.place + part.number()).map(|place| {
                 let place = Literal::usize_unsuffixed(place);
                 quote_spanned!(part.span=> #runtime::pdo::check_pdo::<#name>(#place);)
             });
-            quote_spanned! {part.span=>
-                const _: () = {
-                    const fn belongs<P: #runtime::pdo::Pdo>()
-                    where
-                        P::Device: #runtime::pdo::SameDevice<<#first as #runtime::pdo::ProcessData>::Device>,
-                        P::Direction: #runtime::pdo::SameDirection<<#first as #runtime::pdo::ProcessData>::Direction>,
-                    {
-                    }
-                    belongs::<#pdo>();
-                    #(#checks)*
-                };
-            }
+            quote_spanned!(part.span=> const _: () = { #(#checks)* };)
         });
         let runtime = located(runtime, self.name.span());
         let whole = quote_spanned! {self.name.span()=>
@@ -185,6 +173,19 @@ impl Part {
         Ok(Self { name, span: field.span(), pdo, count, axis, offset, place })
     }
 
+    /// Its PDO as process data: what follows is an item of the trait.
+    fn data(&self, runtime: &TokenStream) -> TokenStream {
+        let (pdo, runtime) = (&self.pdo, located(runtime, self.span));
+        quote_spanned!(self.span=> <#pdo as #runtime::pdo::ProcessData>)
+    }
+
+    /// The byte behind it, an expression.
+    fn end(&self, runtime: &TokenStream) -> TokenStream {
+        let (offset, data) = (&self.offset, self.data(runtime));
+        let factor = Literal::usize_unsuffixed(self.number());
+        quote!(#offset + #factor * #data::LEN)
+    }
+
     /// How many PDOs it is.
     fn number(&self) -> usize {
         self.count.unwrap_or(1)
@@ -197,16 +198,15 @@ impl Part {
 
     /// The row of the image that it is, as an expression.
     fn row(&self, runtime: &TokenStream, count: usize, row: &str, image: &TokenStream) -> TokenStream {
-        let (pdo, offset, row) = (&self.pdo, &self.offset, format_ident!("{row}"));
-        quote!(#runtime::pdo::place::#row::<{ <#pdo as #runtime::pdo::ProcessData>::LEN }, #count, { #offset }, LENGTH>(#image))
+        let (data, offset, row) = (self.data(runtime), &self.offset, format_ident!("{row}"));
+        quote!(#runtime::pdo::place::#row::<{ #data::LEN }, #count, { #offset }, LENGTH>(#image))
     }
 
     fn pack(&self, runtime: &TokenStream) -> TokenStream {
-        let (name, offset) = (&self.name, &self.offset);
+        let (name, offset, data) = (&self.name, &self.offset, self.data(runtime));
         let Some(count) = self.count else {
             return quote! {
-                *#runtime::pdo::place::part_mut::<_, { #offset }, LENGTH>(&mut image) =
-                    #runtime::pdo::ProcessData::pack(self.#name);
+                *#runtime::pdo::place::part_mut::<_, { #offset }, LENGTH>(&mut image) = #data::pack(self.#name);
             };
         };
         let row = self.row(runtime, count, "row_mut", &quote!(&mut image));
@@ -215,13 +215,13 @@ impl Part {
         quote! {
             let [#(#variables),*] = self.#name;
             let [#(#places),*] = #row;
-            #(*#places = #runtime::pdo::ProcessData::pack(#variables);)*
+            #(*#places = #data::pack(#variables);)*
         }
     }
 
     fn unpack(&self, runtime: &TokenStream) -> TokenStream {
-        let (name, pdo, offset) = (&self.name, &self.pdo, &self.offset);
-        let unpack = quote!(<#pdo as #runtime::pdo::ProcessData>::unpack);
+        let (name, offset, data) = (&self.name, &self.offset, self.data(runtime));
+        let unpack = quote!(#data::unpack);
         let Some(count) = self.count else {
             return quote!(#name: #unpack(*#runtime::pdo::place::part::<_, { #offset }, LENGTH>(&image)));
         };

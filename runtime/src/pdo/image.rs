@@ -1,6 +1,6 @@
 //! Images: all process data of a direction, and which PDOs a device lets it be made of.
 
-use super::{Direction, MappedPdo, ProcessData};
+use super::{Direction, MappedPdo, Pdo, ProcessData};
 use crate::Device;
 use crate::text::Text;
 
@@ -61,6 +61,20 @@ impl<D> SameDevice<D> for D {}
 pub trait SameDirection<As> {}
 
 impl<Way> SameDirection<Way> for Way {}
+
+/// A PDO in an image that begins with `First`, for an axis by number; refuses an axis that has none.
+///
+/// For the derive, which calls it in a constant.
+#[track_caller]
+pub const fn selected<First, P>(axis: u8) -> MappedPdo
+where
+    First: ProcessData,
+    P: Pdo,
+    P::Device: SameDevice<First::Device>,
+    P::Direction: SameDirection<First::Direction>,
+{
+    MappedPdo::of_axis::<P>(axis)
+}
 
 /// Refuses a field of an image that cannot be together with what is before it: `at` is its place among the PDOs.
 ///

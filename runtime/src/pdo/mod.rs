@@ -26,7 +26,9 @@ pub use data::ProcessData;
 #[cfg(feature = "derive")]
 pub use devc_macros::{Pdo, ProcessImage};
 pub use direction::{Direction, Rx, Tx};
-pub use image::{Carries, ProcessImage, SameDevice, SameDirection, SyncManager, check_image, check_pdo};
+pub use image::{
+    Carries, ProcessImage, SameDevice, SameDirection, SyncManager, check_image, check_pdo, selected,
+};
 pub use in_place::{InPlace, View, ViewMut};
 pub use mapping::{MappedPdo, Mapping, Pdo};
 pub use own::{MappingObject, MapsTo, RxTx, Unmapped, check_entry, check_mapping, mapped, own};
