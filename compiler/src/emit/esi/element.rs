@@ -96,7 +96,8 @@ pub(super) fn document(heading: &str, root: &Element) -> String {
         .and_then(|()| writer.write_event(Event::Comment(comment)))
         .and_then(|()| root.write(&mut writer));
     debug_assert!(written.is_ok(), "a Vec takes all that is written to it");
-    let mut text = String::from_utf8_lossy(&writer.into_inner()).into_owned();
+    let text = String::from_utf8(writer.into_inner());
+    let mut text = text.unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
     text.push('\n');
     text
 }

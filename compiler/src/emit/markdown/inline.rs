@@ -5,30 +5,37 @@ use std::fmt::Display;
 /// Text that means itself: whatever Markdown or HTML would read into it is escaped, and it is one line, so
 /// that it also fits a cell of a table.
 pub(super) fn text(plain: &str) -> String {
-    let mut out = String::with_capacity(plain.len());
+    let mut out = String::with_capacity(plain.len() + plain.len() / 8);
+    append(plain, &mut out);
+    out
+}
+
+/// Writes a text that means itself.
+pub(super) fn append(plain: &str, out: &mut String) {
     for (place, word) in plain.split_whitespace().enumerate() {
         if place > 0 {
             out.push(' ');
         }
-        escape(word, &mut out);
+        escape(word, out);
     }
-    out
 }
 
 fn escape(word: &str, out: &mut String) {
-    let last = word.chars().count().saturating_sub(1);
-    for (place, c) in word.chars().enumerate() {
-        let markup = match c {
-            '\\' | '`' | '*' | '[' | ']' | '<' | '|' | '~' | '$' | '&' => true,
+    let (mut written, last) = (0, word.len().saturating_sub(1));
+    for (place, byte) in word.bytes().enumerate() {
+        let markup = match byte {
+            b'\\' | b'`' | b'*' | b'[' | b']' | b'<' | b'|' | b'~' | b'$' | b'&' => true,
             // Within a word an underscore is one.
-            '_' => place == 0 || place == last,
+            b'_' => place == 0 || place == last,
             _ => false,
         };
         if markup {
+            out.push_str(word.get(written..place).unwrap_or_default());
             out.push('\\');
+            written = place;
         }
-        out.push(c);
     }
+    out.push_str(word.get(written..).unwrap_or_default());
 }
 
 /// A value as it is to be typed: `0x6040`.

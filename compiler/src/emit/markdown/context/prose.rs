@@ -1,7 +1,7 @@
 //! Running text: escaped, with every index in it linked, and what stands between backticks as it is typed.
 
 use super::Context;
-use crate::emit::markdown::inline::{code, text};
+use crate::emit::markdown::inline::{append, code};
 use crate::model::{Address, Index};
 
 impl Context<'_> {
@@ -35,15 +35,15 @@ impl Context<'_> {
     }
 
     fn words(&self, plain: &str) -> String {
-        let mut out = String::new();
+        let mut out = String::with_capacity(plain.len() + plain.len() / 8);
         let mut rest = plain;
         while let Some((before, after)) = rest.split_once("0x") {
             let number = Number::read(after);
-            out.push_str(&keep_spaces(before));
+            keep_spaces(before, &mut out);
             out.push_str(&self.number(&number));
             rest = number.rest;
         }
-        out.push_str(&keep_spaces(rest));
+        keep_spaces(rest, &mut out);
         out
     }
 
@@ -83,8 +83,12 @@ fn split_hex(text: &str) -> (&str, &str) {
 }
 
 /// Escapes, but leaves a space at either end where it is.
-fn keep_spaces(plain: &str) -> String {
-    let front = if plain.starts_with(' ') { " " } else { "" };
-    let back = if plain.ends_with(' ') && plain.len() > 1 { " " } else { "" };
-    format!("{front}{}{back}", text(plain))
+fn keep_spaces(plain: &str, out: &mut String) {
+    if plain.starts_with(' ') {
+        out.push(' ');
+    }
+    append(plain, out);
+    if plain.ends_with(' ') && plain.len() > 1 {
+        out.push(' ');
+    }
 }

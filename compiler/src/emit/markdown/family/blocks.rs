@@ -6,6 +6,8 @@ use super::sentences::is_version;
 pub(super) struct Section<'t> {
     /// The line of the heading; empty for what stands before the first.
     pub(super) heading: &'t str,
+    /// The first anchor in the heading.
+    pub(super) anchor: Option<&'t str>,
     /// The blocks.
     pub(super) blocks: Vec<Block<'t>>,
 }
@@ -22,16 +24,22 @@ pub(super) struct Block<'t> {
 impl<'t> Section<'t> {
     /// The sections of a text.
     pub(super) fn split(text: &'t str) -> Vec<Self> {
-        let mut sections = vec![Self { heading: "", blocks: Vec::new() }];
+        let mut sections = vec![Self::under("")];
         let mut caption = "";
         for text in blocks(text) {
             match sections.last_mut() {
                 Some(section) if !text.starts_with('#') => section.blocks.push(Block { text, caption }),
-                _ => sections.push(Self { heading: text, blocks: Vec::new() }),
+                _ => sections.push(Self::under(text)),
             }
             caption = if text.ends_with(':') { text } else { "" };
         }
         sections
+    }
+
+    /// A section with nothing in it yet.
+    fn under(heading: &'t str) -> Self {
+        let anchor = heading.split_once("<a id=\"").and_then(|(_, id)| id.split('"').next());
+        Self { heading, anchor, blocks: Vec::new() }
     }
 
     /// How deep its heading stands: 2 for a chapter.

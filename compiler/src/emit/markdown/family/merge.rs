@@ -19,10 +19,7 @@ struct Merge<'n> {
 pub(super) fn merge(names: &[String], texts: &[String]) -> String {
     let sections = texts.iter().map(|text| Section::split(text)).enumerate();
     let same = |one: &Section<'_>, other: &Section<'_>| one.heading == other.heading;
-    let akin = |one: &Section<'_>, other: &Section<'_>| {
-        let (one, other) = (anchor(one.heading), anchor(other.heading));
-        one.is_some() && one == other
-    };
+    let akin = |one: &Section<'_>, other: &Section<'_>| one.anchor.is_some() && one.anchor == other.anchor;
     let mut merge = Merge { names: Names(names), text: String::new() };
     let mut open: Vec<(usize, Vec<usize>)> = vec![(0, (0..names.len()).collect())];
     for unit in align(sections, same, akin) {
@@ -87,11 +84,6 @@ impl Merge<'_> {
         self.text.push_str(text);
         self.text.push_str("\n\n");
     }
-}
-
-/// The first anchor in a line.
-fn anchor(line: &str) -> Option<&str> {
-    line.split_once("<a id=\"")?.1.split('"').next()
 }
 
 /// The text with only the first of several anchors of the same name: versions of a thing stand together.

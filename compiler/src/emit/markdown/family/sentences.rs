@@ -29,23 +29,28 @@ pub(super) fn text(names: &Names<'_>, versions: &[(usize, &str)]) -> String {
 
 /// Whether two texts are versions of one: they open with the same sentence, or with the same label.
 pub(super) fn is_version(one: &str, other: &str) -> bool {
-    let opening = |text| sentences(text).first().copied().map(str::to_owned);
-    let label = |text: &str| text.split_once("**: ").map(|(label, _)| label.to_owned());
-    let (opens, labels) = ((opening(one), opening(other)), (label(one), label(other)));
-    one == other || opens.0 == opens.1 || (labels.0.is_some() && labels.0 == labels.1)
+    let label = |text: &str| text.find("**: ");
+    let labelled = |end: usize| label(other) == Some(end) && one.get(..end) == other.get(..end);
+    one == other || opening(one) == opening(other) || label(one).is_some_and(labelled)
+}
+
+/// The first sentence, up to its full stop.
+fn opening(text: &str) -> &str {
+    let ends = |(stop, _): &(usize, &str)| text.as_bytes().get(stop + 1) == Some(&b' ');
+    let stop = text.match_indices('.').find(ends);
+    stop.and_then(|(stop, _)| text.get(..=stop)).unwrap_or(text)
 }
 
 /// Sentences by their full stops.
 fn sentences(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut rest = text;
-    while let Some(end) = rest.find(". ") {
-        let (sentence, after) = rest.split_at(end + 1);
+    loop {
+        let sentence = opening(rest);
         found.push(sentence);
+        let Some(after) = rest.get(sentence.len()..).filter(|after| !after.is_empty()) else { return found };
         rest = after.trim_start();
     }
-    found.push(rest);
-    found
 }
 
 /// Whether two sentences begin with the same word.
