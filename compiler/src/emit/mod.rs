@@ -3,6 +3,7 @@
 //! An emitter gets a checked family and makes files of it. It cannot fail: what an output cannot express
 //! is a rule, and was reported before.
 
+mod escape;
 #[cfg(feature = "esi")]
 pub mod esi;
 #[cfg(feature = "json")]

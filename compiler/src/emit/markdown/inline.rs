@@ -2,6 +2,8 @@
 
 use std::fmt::Display;
 
+use crate::emit::escape::escape;
+
 /// Text that means itself: whatever Markdown or HTML would read into it is escaped, and it is one line, so
 /// that it also fits a cell of a table.
 pub(super) fn text(plain: &str) -> String {
@@ -16,26 +18,15 @@ pub(super) fn append(plain: &str, out: &mut String) {
         if place > 0 {
             out.push(' ');
         }
-        escape(word, out);
-    }
-}
-
-fn escape(word: &str, out: &mut String) {
-    let (mut written, last) = (0, word.len().saturating_sub(1));
-    for (place, byte) in word.bytes().enumerate() {
-        let markup = match byte {
+        let last = word.len().saturating_sub(1);
+        let is_markup = |place, byte| match byte {
             b'\\' | b'`' | b'*' | b'[' | b']' | b'<' | b'|' | b'~' | b'$' | b'&' => true,
             // Within a word an underscore is one.
             b'_' => place == 0 || place == last,
             _ => false,
         };
-        if markup {
-            out.push_str(word.get(written..place).unwrap_or_default());
-            out.push('\\');
-            written = place;
-        }
+        escape(word, is_markup, out);
     }
-    out.push_str(word.get(written..).unwrap_or_default());
 }
 
 /// A value as it is to be typed: `0x6040`.

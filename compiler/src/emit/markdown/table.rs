@@ -83,22 +83,22 @@ impl Table {
 pub(super) fn sources_once(text: &str) -> String {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let blocks = lines.chunk_by(|one, next| one.starts_with('|') == next.starts_with('|'));
-    let blocks = blocks.map(<[&str]>::concat).map(|block| {
-        let mut table = Table::parse(&block);
-        match table.take_common_source() {
-            Some(source) if block.starts_with('|') => {
-                let exceptions = table.titles.iter().position(|title| title == SOURCE);
-                let exceptions =
-                    exceptions.is_some_and(|column| table.rows.iter().any(|row| !blank(row, column)));
-                let otherwise = if exceptions { ", unless a row says otherwise" } else { "" };
-                let place = source.strip_prefix("<sub>").and_then(|place| place.strip_suffix("</sub>"));
-                let place = place.unwrap_or(&source);
-                format!("{table}\n{}\n", small(&format!("Source: {place}{otherwise}")))
-            }
-            _ => block,
-        }
-    });
-    blocks.collect()
+    blocks.map(<[&str]>::concat).map(source_once).collect()
+}
+
+/// Says below a block, if it is a table, what most of its rows are from.
+fn source_once(block: String) -> String {
+    if !block.starts_with('|') {
+        return block;
+    }
+    let mut table = Table::parse(&block);
+    let Some(source) = table.take_common_source() else { return block };
+    let exceptions = table.titles.iter().position(|title| title == SOURCE);
+    let exceptions = exceptions.is_some_and(|column| table.rows.iter().any(|row| !blank(row, column)));
+    let otherwise = if exceptions { ", unless a row says otherwise" } else { "" };
+    let place = source.strip_prefix("<sub>").and_then(|place| place.strip_suffix("</sub>"));
+    let place = place.unwrap_or(&source);
+    format!("{table}\n{}\n", small(&format!("Source: {place}{otherwise}")))
 }
 
 impl fmt::Display for Table {

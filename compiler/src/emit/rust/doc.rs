@@ -95,13 +95,9 @@ pub(super) fn place(source: &Source, device: &Device) -> String {
 
 /// Plain text in which nothing is taken for Markdown.
 pub(super) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        if matches!(c, '[' | ']' | '<' | '>' | '*' | '`' | '_') {
-            escaped.push('\\');
-        }
-        escaped.push(c);
-    }
+    let mut escaped = String::with_capacity(text.len() + text.len() / 8);
+    let is_markup = |_, byte| matches!(byte, b'[' | b']' | b'<' | b'>' | b'*' | b'`' | b'_');
+    crate::emit::escape::escape(text, is_markup, &mut escaped);
     escaped
 }
 

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::types::Primitive;
+use crate::emit::escape::escape;
 use crate::model::{DataType, Entry, Value};
 
 /// Tokens that are known to be fine.
@@ -20,12 +21,7 @@ pub(super) fn line(text: &str) -> String {
 pub(super) fn text(text: &str) -> Literal {
     let mut code = String::with_capacity(text.len() + 16);
     code.push('"');
-    for c in text.chars() {
-        if matches!(c, '"' | '\\') {
-            code.push('\\');
-        }
-        code.push(c);
-    }
+    escape(text, |_, byte| matches!(byte, b'"' | b'\\'), &mut code);
     code.push('"');
     code.parse().unwrap_or_else(|_| Literal::string(text))
 }
