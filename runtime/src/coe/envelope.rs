@@ -110,6 +110,11 @@ impl Envelope {
         Ok((envelope, body))
     }
 
+    /// The counter of a message of any protocol; 0 if it is not counted.
+    pub(super) fn counter(frame: &[u8]) -> u8 {
+        frame.get(5).map_or(0, |last| last >> 4 & 0x07)
+    }
+
     /// Writes the headers in front of so many bytes that are there already, and tells the length of the message.
     /// What does not fit its field is cut off.
     pub fn seal(self, frame: &mut [u8], body: usize) -> Result<usize, Malformed> {

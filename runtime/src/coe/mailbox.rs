@@ -22,7 +22,10 @@ pub struct Mailbox<V, H = (), const BUFFER: usize = 0> {
     pub(super) names: Option<&'static Names>,
     pub(super) transfer: Transfer,
     pub(super) buffer: [u8; BUFFER],
+    /// The counter of the last message out.
     counter: u8,
+    /// The counter of the last message in; 0 before the first.
+    taken: u8,
 }
 
 /// Why an SDO request is not answered as it would like: aborted at an entry, or beyond what a message can say.
@@ -40,17 +43,35 @@ impl From<Malformed> for Refusal {
 impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
     /// A mailbox that serves values, and tells nothing of the dictionary itself.
     pub const fn new(server: Server<V, H>) -> Self {
-        Self { server, names: None, transfer: Transfer::None, buffer: [0; BUFFER], counter: 0 }
+        Self::of(server, None)
     }
 
     /// A mailbox that also tells what is in the dictionary, with these names.
     pub const fn with_information(server: Server<V, H>, names: &'static Names) -> Self {
-        Self { server, names: Some(names), transfer: Transfer::None, buffer: [0; BUFFER], counter: 0 }
+        Self::of(server, Some(names))
+    }
+
+    const fn of(server: Server<V, H>, names: Option<&'static Names>) -> Self {
+        Self { server, names, transfer: Transfer::None, buffer: [0; BUFFER], counter: 0, taken: 0 }
+    }
+
+    /// Forgets what is under way, and which messages came: to be called when the device leaves Init, where a master
+    /// begins to count anew. Values stay as they are.
+    pub fn restart(&mut self) {
+        (self.transfer, self.counter, self.taken) = (Transfer::None, 0, 0);
     }
 
     /// Answers a message: writes the answer and tells its length, 0 if there is none. `answer` is the master's side of
     /// the mailbox, as long as its sync manager says, at least 16 bytes.
+    ///
+    /// A message with the counter of the one before it is the same once more, from a master that did not see that it
+    /// had arrived (ETG.1000.4, mailbox header, counter). It is not carried out again, and has no answer of its own: the
+    /// first has one. A message that is not counted is never taken for another. What was answered but got lost on its
+    /// way is not repeated here but where the mailbox is, by the repeat bits of its sync manager.
     pub fn answer(&mut self, message: &[u8], state: CommunicationState, answer: &mut [u8]) -> usize {
+        if self.is_repeated(message) {
+            return 0;
+        }
         let written = match Envelope::open(message) {
             Ok((asked, body)) => self.serve(asked, body, state, answer),
             Err(malformed) => Err(malformed),
@@ -59,6 +80,14 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
             let counter = self.count();
             MailboxError::from(malformed).encode(counter, answer).unwrap_or(0)
         })
+    }
+
+    /// Whether a message is the last one once more. All protocols of the mailbox are counted together.
+    fn is_repeated(&mut self, message: &[u8]) -> bool {
+        let counter = Envelope::counter(message);
+        let is_repeated = counter != 0 && counter == self.taken;
+        self.taken = counter;
+        is_repeated
     }
 
     /// What an answer goes on with, once the master has read what came before: the next piece of a list. Its length is

@@ -1,17 +1,16 @@
 //! Transfers of whole objects (ETG.1000.6, complete access).
 
+use super::layout::{Bits, Places, piece};
 use super::server::{check, found};
 use super::values::Scratch;
 use super::{AbortCode, CommunicationState, EntryInfo, Hooks, ObjectCode, ObjectInfo, Part, Server, Values};
 use crate::bytes::WrongLength;
 use crate::object::Address;
 
-/// Subindex 0 takes two bytes in a complete access, all others their own.
-const COUNT_WIDTH: usize = 2;
-
 impl<V: Values, H: Hooks<V>> Server<V, H> {
-    /// Reads the entries of an object from subindex 0 or 1 on, up to the number that subindex 0 says: one after
-    /// another, each in whole bytes, subindex 0 in two. What cannot be read now is zero.
+    /// Reads the entries of an object from subindex 0 or 1 on, up to the number that subindex 0 says, as they lie in the
+    /// object's type in the ESI file: subindex 0 takes two bytes, entries of less than a byte are side by side, and all
+    /// others begin at a byte. What cannot be read now is zero.
     pub fn upload_complete(
         &mut self,
         from: Address,
@@ -58,16 +57,16 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
             return Err(AbortCode::UNSUPPORTED_ACCESS);
         }
         let count = self.count(from.index)?;
+        let mut bits = Bits::new(part);
         for entry in entries(object, from.subindex, count) {
-            let end = part.total().saturating_add(width(entry));
-            if entry.access.check_read(state).is_ok() {
-                let found = found::<V>(Address::new(from.index, entry.subindex))?;
-                part.put(self.value(found, &mut Scratch::default())?);
-            }
-            while part.total() < end {
-                part.put(&[0]);
-            }
+            let mut scratch = Scratch::default();
+            let value = match entry.access.check_read(state) {
+                Ok(()) => self.value(found::<V>(Address::new(from.index, entry.subindex))?, &mut scratch)?,
+                Err(_) => &[],
+            };
+            bits.put(entry, value);
         }
+        bits.end();
         Ok(())
     }
 
@@ -85,26 +84,21 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
             return Err(AbortCode::UNSUPPORTED_ACCESS);
         }
         let count = self.count_after(object, from, state, data)?;
-        let pieces = |first: u8, last: u8| {
-            let entries = entries(object, from.subindex, count);
-            cut(from.index, entries, data).filter(move |(to, _)| (first..=last).contains(&to.subindex))
-        };
+        let places = || Places::new(entries(object, from.subindex, count));
         may_write(entries(object, from.subindex, count), state)?;
-        let length = entries(object, from.subindex, count).map(width).fold(0, usize::saturating_add);
+        let length = places().bytes();
         if length != data.len() {
             return Err(WrongLength { expected: length, found: data.len() }.into());
         }
-        for (to, data) in pieces(0, u8::MAX) {
-            let found = found::<V>(to)?;
-            if found.entry.access.check_write(state).is_ok() {
-                check::<V>(found, data)?;
-            }
+        let writable = || places().filter(|(entry, _)| entry.access.check_write(state).is_ok());
+        for (entry, place) in writable() {
+            let to = Address::new(from.index, entry.subindex);
+            check::<V>(found::<V>(to)?, piece(data, entry, place, &mut Scratch::default()))?;
         }
-        for (to, data) in pieces(1, u8::MAX).chain(pieces(0, 0)) {
-            let found = found::<V>(to)?;
-            if found.entry.access.check_write(state).is_ok() {
-                self.write(found, to, data)?;
-            }
+        let is_count = |(entry, _): &(&EntryInfo, usize)| entry.subindex == 0;
+        for (entry, place) in writable().filter(|it| !is_count(it)).chain(writable().filter(is_count)) {
+            let to = Address::new(from.index, entry.subindex);
+            self.write(found::<V>(to)?, to, piece(data, entry, place, &mut Scratch::default()))?;
         }
         Ok(())
     }
@@ -152,25 +146,6 @@ fn whole<V: Values>(from: Address) -> Result<&'static ObjectInfo, AbortCode> {
 fn entries(object: &ObjectInfo, first: u8, count: u8) -> impl Iterator<Item = &'static EntryInfo> + use<> {
     let entries = object.entries.iter().skip_while(move |entry| entry.subindex < first);
     entries.take_while(move |entry| entry.subindex == 0 || entry.subindex <= count)
-}
-
-/// The bytes that an entry takes.
-fn width(entry: &EntryInfo) -> usize {
-    if entry.subindex == 0 { COUNT_WIDTH } else { entry.bytes().into() }
-}
-
-/// The data of each entry.
-fn cut(
-    index: u16,
-    mut entries: impl Iterator<Item = &'static EntryInfo>,
-    mut data: &[u8],
-) -> impl Iterator<Item = (Address, &[u8])> {
-    core::iter::from_fn(move || {
-        let entry = entries.next()?;
-        let (piece, rest) = data.split_at_checked(width(entry))?;
-        data = rest;
-        Some((Address::new(index, entry.subindex), piece.get(..entry.bytes().into())?))
-    })
 }
 
 /// Whether something of it can be written, and all of that in this state.

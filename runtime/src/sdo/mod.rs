@@ -15,6 +15,7 @@ mod complete;
 mod data_type;
 mod dictionary;
 mod hooks;
+mod layout;
 mod names;
 mod part;
 mod range;

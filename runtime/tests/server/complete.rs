@@ -4,7 +4,7 @@ use devc_runtime::object::Address;
 use devc_runtime::sdo::CommunicationState::{self, Operational, PreOperational};
 use devc_runtime::sdo::{AbortCode, Part, Server};
 
-use crate::device::{GAIN, LIST, MIXED, Tiny};
+use crate::device::{GAIN, LIST, MIXED, NARROW, Tiny};
 
 fn server() -> Server<Tiny> {
     Server::new(Tiny::NEW, ())
@@ -27,6 +27,20 @@ fn entries_follow_each_other_up_to_their_number() {
 fn what_cannot_be_read_is_zero() {
     let mixed = vec![4, 0, 0xFF, 0xFF, 0xFF, 0xFF, 0x34, 0x12, 0, 0];
     assert_eq!(upload(Address::new(MIXED, 0), Operational), Ok(mixed));
+}
+
+#[test]
+fn bits_are_side_by_side_and_bytes_begin_at_bytes() {
+    let data = [4, 0, 0b0011 << 4 | 0b101 << 1 | 1, 0b11, 0x34, 0x12];
+    let at = Address::new(NARROW, 0);
+    assert_eq!(upload(at, Operational), Ok(data.to_vec()));
+    assert_eq!(upload(Address::new(NARROW, 1), Operational), Ok(data[2..].to_vec()));
+    let mut server = server();
+    let other = [0, 0, 0b0110 << 4 | 0b010 << 1, 0b01, 0xCD, 0xAB];
+    assert_eq!(server.download_complete(at, Operational, &other), Ok(()));
+    assert_eq!(server.values.narrow, (false, 0b010, 0b01_0110, 0xABCD));
+    assert_eq!(server.download_complete(Address::new(NARROW, 1), Operational, &data[2..]), Ok(()));
+    assert_eq!(server.values, Tiny::NEW);
 }
 
 #[test]

@@ -16,6 +16,7 @@ pub(crate) const WIDE: Address = Address::new(0x2006, 0);
 pub(crate) const RATIO: Address = Address::new(0x2007, 0);
 pub(crate) const LIST: u16 = 0x2010;
 pub(crate) const MIXED: u16 = 0x2011;
+pub(crate) const NARROW: u16 = 0x2012;
 
 /// The values.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +31,7 @@ pub(crate) struct Tiny {
     pub(crate) count: u8,
     pub(crate) list: [u16; 3],
     pub(crate) mixed: (i32, u16),
+    pub(crate) narrow: (bool, u8, u8, u16),
 }
 
 impl Tiny {
@@ -44,6 +46,7 @@ impl Tiny {
         count: 2,
         list: [0x0101, 0x0202, 0x0303],
         mixed: (-1, 7),
+        narrow: (true, 0b101, 0b11_0011, 0x1234),
     };
 }
 
@@ -69,6 +72,10 @@ impl Values for Tiny {
             (7, item) => self.list.get_mut(usize::from(item) - 1).map(Slot::U16),
             (8, 0) => Some(Slot::I32(&mut self.mixed.0)),
             (8, 1) => Some(Slot::U16(&mut self.mixed.1)),
+            (9, 0) => Some(Slot::Bool(&mut self.narrow.0)),
+            (9, 1) => Some(Slot::U8(&mut self.narrow.1)),
+            (9, 2) => Some(Slot::U8(&mut self.narrow.2)),
+            (9, 3) => Some(Slot::U16(&mut self.narrow.3)),
             _ => None,
         }
     }
@@ -100,7 +107,7 @@ static TABLE: Dictionary = Dictionary {
     pages: &[Page {
         first: 0,
         axis: 0,
-        slots: &[0, 1, 2, 3, 4, 5, 6, 7, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 8, 9],
+        slots: &[0, 1, 2, 3, 4, 5, 6, 7, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 8, 9, 10],
         objects: &[
             variable(0, &[entry(0, 0, DataType::VISIBLE_STRING, 80, Access::READ)]),
             variable(1, &[entry(0, 0, DataType::INTEGER16, 16, BEFORE_SAFE)]),
@@ -133,6 +140,20 @@ static TABLE: Dictionary = Dictionary {
                     entry(1, 0, DataType::INTEGER32, 32, READ_WRITE),
                     entry(2, CONSTANT, DataType::UNSIGNED16, 16, Access::READ),
                     entry(4, 1, DataType::UNSIGNED16, 16, Access::WRITE),
+                ],
+                constants: 0,
+            },
+            // BOOLEAN, BIT3 and BIT6 side by side, the last across the end of a byte
+            ObjectInfo {
+                code: ObjectCode::Record,
+                axis: 0,
+                field: 9,
+                entries: &[
+                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, Access::READ),
+                    entry(1, 0, DataType::BOOLEAN, 1, READ_WRITE),
+                    entry(2, 1, DataType(0x32), 3, READ_WRITE),
+                    entry(3, 2, DataType(0x35), 6, READ_WRITE),
+                    entry(4, 3, DataType::UNSIGNED16, 16, READ_WRITE),
                 ],
                 constants: 0,
             },

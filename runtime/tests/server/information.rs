@@ -8,11 +8,13 @@ use devc_runtime::sdo::CommunicationState::PreOperational;
 use devc_runtime::sdo::{AbortCode, Access, DataType, Names, Server, Values};
 
 use crate::device::{GAIN, LIST, MIXED, Tiny};
+use crate::master::next_counter;
 
 static NAMES: Names = Names {
     pages: &[&[
         "Name", "Gain", "Secret", "Note", "Model", "Flags", "Wide", "Ratio", "List", "Number", "First",
-        "Second", "Third", "Mixed", "Highest", "Signed", "Fixed", "Last",
+        "Second", "Third", "Mixed", "Highest", "Signed", "Fixed", "Last", "Narrow", "Highest", "Flag",
+        "Three", "Six", "Word",
     ]],
 };
 
@@ -23,7 +25,7 @@ fn mailbox() -> Mailbox<Tiny> {
 /// Asks, and gives each piece of the answer: operation, pieces left, data.
 fn ask(mailbox: &mut Mailbox<Tiny>, size: usize, operation: Operation, data: &[u8]) -> Vec<Piece> {
     let mut message = [0; 32];
-    let envelope = Envelope { counter: 1, ..Envelope::new(Service::SDO_INFORMATION) };
+    let envelope = Envelope { counter: next_counter(), ..Envelope::new(Service::SDO_INFORMATION) };
     Information::new(operation, data).encode(envelope, &mut message).unwrap();
     let mut answer = vec![0; size];
     let mut length = mailbox.answer(&message, PreOperational, &mut answer);
@@ -49,8 +51,8 @@ fn words(data: &[u8]) -> Vec<u16> {
 
 #[test]
 fn lists_come_whole_or_in_pieces() {
-    let indices = [0x2000, 0x2001, 0x2002, 0x2003, 0x2004, 0x2005, 0x2006, 0x2007, 0x2010, 0x2011];
-    for (size, count) in [(128, 1), (34, 1), (33, 2), (32, 2), (20, 4), (16, 10)] {
+    let indices = [0x2000, 0x2001, 0x2002, 0x2003, 0x2004, 0x2005, 0x2006, 0x2007, 0x2010, 0x2011, 0x2012];
+    for (size, count) in [(128, 1), (36, 1), (35, 2), (32, 2), (20, 4), (16, 11)] {
         let pieces = ask(&mut mailbox(), size, Operation::GetList, &[1, 0]);
         assert_eq!(pieces.len(), count, "{size} bytes");
         let left: Vec<usize> = pieces.iter().map(|piece| piece.1.into()).collect();
@@ -65,7 +67,7 @@ fn lists_come_whole_or_in_pieces() {
 #[test]
 fn the_lists_are_counted() {
     let [(operation, 0, data)] = &ask(&mut mailbox(), 32, Operation::GetList, &[0, 0])[..] else { panic!() };
-    assert_eq!((*operation, words(data)), (Operation::List, vec![0, 10, 0, 0, 0, 0]));
+    assert_eq!((*operation, words(data)), (Operation::List, vec![0, 11, 0, 0, 0, 0]));
 }
 
 fn object(index: u16) -> (DataType, u8, u8, String) {

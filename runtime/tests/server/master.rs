@@ -1,5 +1,7 @@
 //! A master's side in a few lines: transfers of any length through a mailbox of any size.
 
+use std::cell::Cell;
+
 use devc_runtime::coe::{Envelope, Mailbox, Malformed, Request, Response, Service};
 use devc_runtime::object::Address;
 use devc_runtime::sdo::{AbortCode, CommunicationState, Hooks, Values};
@@ -19,7 +21,7 @@ fn exchange<V: Values, H: Hooks<V>, const N: usize, T>(
     read: impl FnOnce(Response<'_>) -> T,
 ) -> Result<T, AbortCode> {
     let (mut message, mut answer) = (vec![0; master.size], vec![0xAA; master.size]);
-    request.encode(Envelope { counter: 1, ..ENVELOPE }, &mut message).expect("it fits");
+    request.encode(Envelope { counter: next_counter(), ..ENVELOPE }, &mut message).expect("it fits");
     let length = mailbox.answer(&message, master.state, &mut answer);
     assert!(length <= master.size, "{length} bytes");
     let (envelope, body) = Envelope::open(&answer[..length]).expect("it is an answer");
@@ -28,6 +30,15 @@ fn exchange<V: Values, H: Hooks<V>, const N: usize, T>(
         Response::Abort { code, .. } => Err(code),
         response => Ok(read(response)),
     }
+}
+
+/// The counter of the next message of this thread, which has one master.
+pub(crate) fn next_counter() -> u8 {
+    thread_local! {
+        static LAST: Cell<u8> = const { Cell::new(0) };
+    }
+    LAST.set(LAST.get() % 7 + 1);
+    LAST.get()
 }
 
 const ENVELOPE: Envelope = Envelope::new(Service::SDO_REQUEST);

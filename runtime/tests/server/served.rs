@@ -138,6 +138,27 @@ fn a_value_may_come_without_its_length() {
 }
 
 #[test]
+fn a_message_that_comes_again_is_not_carried_out_again() {
+    let mut mailbox = mailbox();
+    let write = |mailbox: &mut Mailbox<Tiny, (), 16>, counter: u8, value: u8| {
+        let message = [10, 0, 0, 0, 0, counter << 4 | 3, 0, 0x20, 0x2B, 1, 0x20, 0, value, 0, 0, 0];
+        let length = mailbox.answer(&message, PreOperational, &mut [0; 16]);
+        (length, mailbox.server.values.gain)
+    };
+    assert_eq!(write(&mut mailbox, 1, 10), (16, 10));
+    assert_eq!(write(&mut mailbox, 1, 11), (0, 10), "the counter says that it is the same");
+    assert_eq!(write(&mut mailbox, 2, 12), (16, 12));
+    assert_eq!(write(&mut mailbox, 0, 13), (16, 13));
+    assert_eq!(write(&mut mailbox, 0, 14), (16, 14), "0 counts nothing");
+    assert_eq!(write(&mut mailbox, 1, 15), (16, 15));
+    mailbox.restart();
+    assert_eq!(write(&mut mailbox, 1, 16), (16, 16), "a master begins to count anew");
+    // another protocol of the same mailbox
+    assert_eq!(mailbox.answer(&[0, 0, 0, 0, 0, 0x22], PreOperational, &mut [0; 16]), 10);
+    assert_eq!(write(&mut mailbox, 2, 17), (0, 16));
+}
+
+#[test]
 fn answers_are_counted_for_masters_that_count() {
     let mut mailbox = mailbox();
     let message = |counter: u8| [10, 0, 0, 0, 0, counter << 4 | 3, 0, 0x20, 0x40, 1, 0x20, 0, 0, 0, 0, 0];

@@ -5,6 +5,7 @@
 mod access;
 mod bounded;
 mod c887;
+mod complete;
 mod dictionary;
 mod images;
 mod information;
