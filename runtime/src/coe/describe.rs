@@ -7,7 +7,8 @@ use super::transfer::Transfer;
 use super::writer::Writer;
 use super::{EntryDescription, Information, ListKind, ObjectDescription, Operation};
 use crate::sdo::{
-    AbortCode, Access, DataType, Dictionary, Hooks, Names, ObjectCode, ObjectInfo, Values, found,
+    AbortCode, Access, DataType, Dictionary, Found, Hooks, Names, ObjectCode, ObjectInfo, Range, Values,
+    found,
 };
 
 /// Bytes in front of the indices of a piece; those after the first have two less.
@@ -120,18 +121,42 @@ fn object<V: Values>(names: &Names, asked: &[u8], envelope: Envelope, answer: &m
 }
 
 fn described<V: Values>(names: &Names, asked: &[u8], envelope: Envelope, answer: &mut [u8]) -> Answered {
-    let (address, _) = entry(asked)?;
+    let (address, wanted) = entry(asked)?;
     let found = match found::<V>(address) {
-        Ok(found) => found.entry,
+        Ok(found) => found,
         Err(code) => return Ok(Err(code)),
     };
+    let mut buffer = [0; 24];
+    let (value_info, length) = tell::<V>(found, wanted.first().copied().unwrap_or(0), &mut buffer)?;
     let description = EntryDescription {
         address,
-        value_info: 0,
-        data_type: found.data_type,
-        bits: found.bits,
-        access: found.access,
+        value_info,
+        data_type: found.entry.data_type,
+        bits: found.entry.bits,
+        access: found.entry.access,
+        values: buffer.get(..length).unwrap_or_default(),
         name: names.entry(V::TABLE, address).as_bytes(),
     };
     description.encode(envelope, answer).map(Ok)
+}
+
+/// Writes those of the values asked for that there are, and tells which these are and how many bytes.
+fn tell<V: Values>(found: Found, asked: u8, buffer: &mut [u8; 24]) -> Result<(u8, usize), Malformed> {
+    let length = usize::from(found.entry.bytes());
+    let limits =
+        found.place().and_then(|place| Range::of(V::RANGES, place)).map(|limits| limits.bytes(length));
+    let (least, greatest) = limits.map_or((None, None), |[least, greatest]| (Some(least), Some(greatest)));
+    let default = V::TABLE.constant(found).filter(|_| !found.entry.data_type.is_text());
+    let values = [
+        (0x10, default),
+        (0x20, least.as_ref().map(<[u8; 8]>::as_slice)),
+        (0x40, greatest.as_ref().map(<[u8; 8]>::as_slice)),
+    ];
+    let (mut told, mut writer) = (0, Writer::new(buffer));
+    for (bit, value) in values.into_iter().filter(|(bit, _)| asked & bit != 0) {
+        if let Some(value) = value.and_then(|value| value.get(..length)) {
+            (told, writer) = (told | bit, writer.put(value));
+        }
+    }
+    Ok((told, writer.end()?))
 }

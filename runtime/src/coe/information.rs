@@ -161,16 +161,18 @@ impl<'a> ObjectDescription<'a> {
         let [low, high] = self.index.to_le_bytes();
         let [type_low, type_high] = self.data_type.0.to_le_bytes();
         let facts = [low, high, type_low, type_high, self.highest_subindex, self.code];
-        described(Operation::Object, &facts, self.name, envelope, frame)
+        described(Operation::Object, &facts, &[], self.name, envelope, frame)
     }
 }
 
-/// The answer about an entry, without values.
+/// The answer about an entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct EntryDescription<'a> {
     /// Its address.
     pub address: Address,
-    /// What else is told: bit 3 the unit, 4 the default, 5 the least and 6 the greatest value.
+    /// What else is told: bit 3 the unit, 4 the default, 5 the least and 6 the greatest value. A
+    /// [`Mailbox`](super::Mailbox) tells the bounds of what can be written and the default of what never changes, if
+    /// asked; it never tells a unit.
     pub value_info: u8,
     /// Its type.
     pub data_type: DataType,
@@ -178,7 +180,9 @@ pub struct EntryDescription<'a> {
     pub bits: u16,
     /// What may be done with it.
     pub access: Access,
-    /// The values that are told, then its name.
+    /// The default, the least and the greatest value, those of them that are told, each in the bytes of the type.
+    pub values: &'a [u8],
+    /// Its name; if the unit is told, that and the values come first, and `values` is empty.
     pub name: &'a [u8],
 }
 
@@ -187,14 +191,15 @@ impl<'a> EntryDescription<'a> {
     pub fn decode(data: &'a [u8]) -> Result<Self, Malformed> {
         let (address, rest) = entry(data)?;
         match rest {
-            [value_info, type_low, type_high, low, high, access_low, access_high, name @ ..] => Ok(Self {
-                address,
-                value_info: *value_info,
-                data_type: DataType(u16::from_le_bytes([*type_low, *type_high])),
-                bits: u16::from_le_bytes([*low, *high]),
-                access: Access(u16::from_le_bytes([*access_low, *access_high])),
-                name,
-            }),
+            [value_info, type_low, type_high, low, high, access_low, access_high, rest @ ..] => {
+                let bits = u16::from_le_bytes([*low, *high]);
+                let told = if value_info & 0x08 == 0 { (value_info & 0x70).count_ones() } else { 0 };
+                let length = (0..told).fold(0, |sum: usize, _| sum.saturating_add(bits.div_ceil(8).into()));
+                let (values, name) = rest.split_at_checked(length).ok_or(Malformed::TooShort)?;
+                let data_type = DataType(u16::from_le_bytes([*type_low, *type_high]));
+                let access = Access(u16::from_le_bytes([*access_low, *access_high]));
+                Ok(Self { address, value_info: *value_info, data_type, bits, access, values, name })
+            }
             _ => Err(Malformed::TooShort),
         }
     }
@@ -218,22 +223,26 @@ impl<'a> EntryDescription<'a> {
             access_low,
             access_high,
         ];
-        described(Operation::Entry, &facts, self.name, envelope, frame)
+        described(Operation::Entry, &facts, self.values, self.name, envelope, frame)
     }
 }
 
-/// An answer of facts and a name, which is cut where the mailbox ends.
+/// An answer of facts, values and a name, which is cut where the mailbox ends.
 fn described(
     operation: Operation,
     facts: &[u8],
+    values: &[u8],
     name: &[u8],
     envelope: Envelope,
     frame: &mut [u8],
 ) -> Result<usize, Malformed> {
-    let head = Envelope::SIZE.saturating_add(Information::HEAD).saturating_add(facts.len());
+    let head = Envelope::SIZE
+        .saturating_add(Information::HEAD)
+        .saturating_add(facts.len())
+        .saturating_add(values.len());
     let room = frame.len().saturating_sub(head);
     let name = name.get(..room).unwrap_or(name);
     let body = Writer::new(Envelope::body(frame));
-    let length = body.put(&Information::new(operation, &[]).head()).put(facts).put(name).end()?;
+    let length = body.put(&Information::new(operation, &[]).head()).put(facts).put(values).put(name).end()?;
     Envelope { service: Service::SDO_INFORMATION, ..envelope }.seal(frame, length)
 }

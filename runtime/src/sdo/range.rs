@@ -58,6 +58,21 @@ impl Limits {
     }
 }
 
+impl Limits {
+    /// The least and the greatest value in eight bytes each, of which an entry of so many has the first; those of
+    /// four bytes with a fraction are in single precision.
+    pub(crate) fn bytes(self, length: usize) -> [[u8; 8]; 2] {
+        match self {
+            Self::Signed(min, max) => [min.to_le_bytes(), max.to_le_bytes()],
+            Self::Unsigned(min, max) => [min.to_le_bytes(), max.to_le_bytes()],
+            Self::Real(min, max) if length == 4 => {
+                [min, max].map(|bound| u64::from((bound as f32).to_bits()).to_le_bytes())
+            }
+            Self::Real(min, max) => [min.to_le_bytes(), max.to_le_bytes()],
+        }
+    }
+}
+
 fn within<T: PartialOrd>(value: Option<T>, min: T, max: T) -> Result<(), AbortCode> {
     let value = value.ok_or(AbortCode::LENGTH_MISMATCH)?;
     match (value.partial_cmp(&min), value.partial_cmp(&max)) {

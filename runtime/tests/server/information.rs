@@ -7,7 +7,7 @@ use devc_runtime::object::Address;
 use devc_runtime::sdo::CommunicationState::PreOperational;
 use devc_runtime::sdo::{AbortCode, Access, DataType, Names, Server, Values};
 
-use crate::device::{GAIN, LIST, MIXED, Tiny};
+use crate::device::{GAIN, LIST, MIXED, RATIO, Tiny, WIDE};
 use crate::master::next_counter;
 
 static NAMES: Names = Names {
@@ -104,11 +104,33 @@ fn entries_are_described() {
         let [(Operation::Entry, 0, data)] = &pieces[..] else { panic!("{pieces:?}") };
         let access = Tiny::TABLE.find(address).unwrap().entry.access;
         let name = name.as_bytes();
-        let entry = EntryDescription { address, value_info: 0, data_type, bits, access, name };
+        let entry = EntryDescription { address, value_info: 0, data_type, bits, access, values: &[], name };
         assert_eq!(EntryDescription::decode(data), Ok(entry));
     }
     let access = Tiny::TABLE.find(GAIN).unwrap().entry.access;
     assert!(access.includes(Access::READ) && !access.includes(Access::WRITE));
+}
+
+/// What is told of an entry besides: which values, and their bytes.
+fn values(address: Address, asked: u8) -> (u8, Vec<u8>) {
+    let [low, high] = address.index.to_le_bytes();
+    let pieces = ask(&mut mailbox(), 64, Operation::GetEntry, &[low, high, address.subindex, asked]);
+    let [(Operation::Entry, 0, data)] = &pieces[..] else { panic!("{pieces:?}") };
+    let entry = EntryDescription::decode(data).unwrap();
+    assert!(!entry.name.is_empty() && entry.name.iter().all(u8::is_ascii_alphabetic));
+    (entry.value_info, entry.values.to_vec())
+}
+
+#[test]
+fn values_are_told_that_are_asked_for_and_there() {
+    assert_eq!(values(GAIN, 0x7F), (0x60, vec![0xF6, 0xFF, 0xE8, 0x03]));
+    assert_eq!(values(GAIN, 0x20), (0x20, vec![0xF6, 0xFF]));
+    assert_eq!(values(GAIN, 0x40), (0x40, vec![0xE8, 0x03]));
+    assert_eq!(values(GAIN, 0), (0, vec![]));
+    assert_eq!(values(WIDE, 0x60), (0x60, vec![1, 0, 0, 0, 0, 0x80]));
+    let ratio = [0.5_f32.to_le_bytes(), 2_f32.to_le_bytes()].concat();
+    assert_eq!(values(RATIO, 0x60), (0x60, ratio));
+    assert_eq!(values(Address::new(MIXED, 2), 0x78), (0x10, vec![0x34, 0x12]));
 }
 
 #[test]

@@ -86,6 +86,7 @@ fn descriptions_are_read_again_and_names_are_cut() {
         data_type: DataType::INTEGER8,
         bits: 8,
         access: Access(0x7F),
+        values: &[],
         name: b"Modes of operation",
     };
     let mut frame = [0; 64];
@@ -99,6 +100,17 @@ fn descriptions_are_read_again_and_names_are_cut() {
     assert_eq!(information.operation, Operation::Entry);
     let cut = EntryDescription { name: b"Modes", ..entry };
     assert_eq!(EntryDescription::decode(information.data), Ok(cut));
+}
+
+/// Bytes of the values that an entry description tells, where it tells no unit.
+fn told(body: &[u8]) -> usize {
+    match body {
+        [_, _, _, info, _, _, low, high, ..] if info & 0x08 == 0 => {
+            let bits = usize::from(u16::from_le_bytes([*low, *high]));
+            [0x10, 0x20, 0x40].iter().filter(|bit| info & **bit != 0).count() * bits.div_ceil(8)
+        }
+        _ => 0,
+    }
 }
 
 #[test]
@@ -128,7 +140,7 @@ fn no_bytes_stop_a_reader() {
             assert_eq!(information.is_ok(), body.len() >= 4 && (1..=7).contains(&(command & 0x7F)));
             assert_eq!(Emergency::decode(&body).is_ok(), body.len() >= 8);
             let facts = [ObjectDescription::decode(&body).is_ok(), EntryDescription::decode(&body).is_ok()];
-            assert_eq!(facts, [body.len() >= 6, body.len() >= 10]);
+            assert_eq!(facts, [body.len() >= 6, body.len() >= 10 + told(&body)]);
         }
     }
 }
