@@ -25,7 +25,7 @@ fn six_axes_are_enabled_as_one_and_follow_the_path() {
     // 2π × 5 mm in 1000 cycles, in the middle twice as fast
     let widest =
         output.split_once("the widest step ").and_then(|(_, rest)| rest.split(' ').next()?.parse().ok());
-    assert_eq!(widest, Some(62), "{output}");
+    assert_eq!(widest, Some(62.8), "{output}");
     assert!(output.ends_with("back within 0 µm\n"), "{output}");
 }
 

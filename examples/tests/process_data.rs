@@ -1,4 +1,4 @@
-//! What the examples of process data say is what the manual and the mapping ask for.
+//! What the examples of process data and of units say is what the manuals and the mapping ask for.
 
 #![cfg(test)]
 
@@ -29,4 +29,18 @@ fn every_axis_is_told_where_it_is() {
     assert!(pairs.iter().all(|(at, told)| at == told), "{output}");
     // bytes 3 to 6 of the inputs of the first axis, which count up
     assert!(pairs.first().is_some_and(|(at, _)| *at == 0x0605_0403.to_string()), "{output}");
+}
+
+/// C887T0011, p. 14: 0x5000 counts micrometres and thousandths of a degree, positions 1/100 000 mm and 1/100 000 degree.
+#[test]
+fn lengths_and_angles_have_the_numbers_of_their_entries() {
+    let output = output(env!("CARGO_BIN_EXE_units"));
+    let written = |address: &str| {
+        let (_, bytes) = output.split_once(&format!("{address} = ["))?;
+        let bytes = bytes.split(']').next()?.split(", ").map(|byte| u8::from_str_radix(byte, 16));
+        Some(i32::from_le_bytes(bytes.collect::<Result<Vec<_>, _>>().ok()?.try_into().ok()?))
+    };
+    assert_eq!((written("0x5000:01"), written("0x5000:04")), (Some(15_000), Some(-2000)), "{output}");
+    assert_eq!((written("0x607D:02"), written("0x887D:02")), (Some(2_250_000), Some(1_500_000)), "{output}");
+    assert!(output.contains("Z ends at 0.0225 m\n") && output.contains("U ends at 15 °\n"), "{output}");
 }

@@ -48,8 +48,12 @@ use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
     Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+    Unmapped,
 };
 use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+use ::devc_runtime::unit::{
+    Acceleration, Angle, AngularAcceleration, AngularVelocity, AxisUnit, Length, Motion, Unit, Velocity,
+};
 use ::devc_runtime::{Device, error};
 
 /// The C-887.53x.
@@ -575,22 +579,28 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5000, 0);
 
         /// `0x5000:01` Axis X. INT32, rw, default 0, in µm.
-        pub const AXIS_X: Entry<C887, i32, ReadWrite> = Entry::new(0x5000, 1);
+        pub const AXIS_X: Entry<C887, i32, ReadWrite, Unmapped, Length> =
+            Entry::new(0x5000, 1).measured_in(units::SDO_LENGTH);
 
         /// `0x5000:02` Axis Y. INT32, rw, default 0, in µm.
-        pub const AXIS_Y: Entry<C887, i32, ReadWrite> = Entry::new(0x5000, 2);
+        pub const AXIS_Y: Entry<C887, i32, ReadWrite, Unmapped, Length> =
+            Entry::new(0x5000, 2).measured_in(units::SDO_LENGTH);
 
         /// `0x5000:03` Axis Z. INT32, rw, default 0, in µm.
-        pub const AXIS_Z: Entry<C887, i32, ReadWrite> = Entry::new(0x5000, 3);
+        pub const AXIS_Z: Entry<C887, i32, ReadWrite, Unmapped, Length> =
+            Entry::new(0x5000, 3).measured_in(units::SDO_LENGTH);
 
         /// `0x5000:04` Axis U. INT32, rw, default 0, in deg ÷ 1000.
-        pub const AXIS_U: Entry<C887, i32, ReadWrite> = Entry::new(0x5000, 4);
+        pub const AXIS_U: Entry<C887, i32, ReadWrite, Unmapped, Angle> =
+            Entry::new(0x5000, 4).measured_in(units::SDO_ANGLE);
 
         /// `0x5000:05` Axis V. INT32, rw, default 0, in deg ÷ 1000.
-        pub const AXIS_V: Entry<C887, i32, ReadWrite> = Entry::new(0x5000, 5);
+        pub const AXIS_V: Entry<C887, i32, ReadWrite, Unmapped, Angle> =
+            Entry::new(0x5000, 5).measured_in(units::SDO_ANGLE);
 
         /// `0x5000:06` Axis W. INT32, rw, default 0, in deg ÷ 1000.
-        pub const AXIS_W: Entry<C887, i32, ReadWrite> = Entry::new(0x5000, 6);
+        pub const AXIS_W: Entry<C887, i32, ReadWrite, Unmapped, Angle> =
+            Entry::new(0x5000, 6).measured_in(units::SDO_ANGLE);
     }
 
     /// `0x5001` Tool coordinate system.
@@ -608,22 +618,28 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5001, 0);
 
         /// `0x5001:01` Axis X. INT32, rw, default 0, in µm.
-        pub const AXIS_X: Entry<C887, i32, ReadWrite> = Entry::new(0x5001, 1);
+        pub const AXIS_X: Entry<C887, i32, ReadWrite, Unmapped, Length> =
+            Entry::new(0x5001, 1).measured_in(units::SDO_LENGTH);
 
         /// `0x5001:02` Axis Y. INT32, rw, default 0, in µm.
-        pub const AXIS_Y: Entry<C887, i32, ReadWrite> = Entry::new(0x5001, 2);
+        pub const AXIS_Y: Entry<C887, i32, ReadWrite, Unmapped, Length> =
+            Entry::new(0x5001, 2).measured_in(units::SDO_LENGTH);
 
         /// `0x5001:03` Axis Z. INT32, rw, default 0, in µm.
-        pub const AXIS_Z: Entry<C887, i32, ReadWrite> = Entry::new(0x5001, 3);
+        pub const AXIS_Z: Entry<C887, i32, ReadWrite, Unmapped, Length> =
+            Entry::new(0x5001, 3).measured_in(units::SDO_LENGTH);
 
         /// `0x5001:04` Axis U. INT32, rw, default 0, in deg ÷ 1000.
-        pub const AXIS_U: Entry<C887, i32, ReadWrite> = Entry::new(0x5001, 4);
+        pub const AXIS_U: Entry<C887, i32, ReadWrite, Unmapped, Angle> =
+            Entry::new(0x5001, 4).measured_in(units::SDO_ANGLE);
 
         /// `0x5001:05` Axis V. INT32, rw, default 0, in deg ÷ 1000.
-        pub const AXIS_V: Entry<C887, i32, ReadWrite> = Entry::new(0x5001, 5);
+        pub const AXIS_V: Entry<C887, i32, ReadWrite, Unmapped, Angle> =
+            Entry::new(0x5001, 5).measured_in(units::SDO_ANGLE);
 
         /// `0x5001:06` Axis W. INT32, rw, default 0, in deg ÷ 1000.
-        pub const AXIS_W: Entry<C887, i32, ReadWrite> = Entry::new(0x5001, 6);
+        pub const AXIS_W: Entry<C887, i32, ReadWrite, Unmapped, Angle> =
+            Entry::new(0x5001, 6).measured_in(units::SDO_ANGLE);
     }
 
     /// `0x5008` Motor homing method.
@@ -758,22 +774,28 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5012, 0);
 
         /// `0x5012:01` Axis X. INT32, ro, default 0, in µm.
-        pub const AXIS_X: Entry<C887, i32, ReadOnly> = Entry::new(0x5012, 1);
+        pub const AXIS_X: Entry<C887, i32, ReadOnly, Unmapped, Length> =
+            Entry::new(0x5012, 1).measured_in(units::SDO_LENGTH);
 
         /// `0x5012:02` Axis Y. INT32, ro, default 0, in µm.
-        pub const AXIS_Y: Entry<C887, i32, ReadOnly> = Entry::new(0x5012, 2);
+        pub const AXIS_Y: Entry<C887, i32, ReadOnly, Unmapped, Length> =
+            Entry::new(0x5012, 2).measured_in(units::SDO_LENGTH);
 
         /// `0x5012:03` Axis Z. INT32, ro, default 0, in µm.
-        pub const AXIS_Z: Entry<C887, i32, ReadOnly> = Entry::new(0x5012, 3);
+        pub const AXIS_Z: Entry<C887, i32, ReadOnly, Unmapped, Length> =
+            Entry::new(0x5012, 3).measured_in(units::SDO_LENGTH);
 
         /// `0x5012:04` Axis U. INT32, ro, default 0, in deg ÷ 1000.
-        pub const AXIS_U: Entry<C887, i32, ReadOnly> = Entry::new(0x5012, 4);
+        pub const AXIS_U: Entry<C887, i32, ReadOnly, Unmapped, Angle> =
+            Entry::new(0x5012, 4).measured_in(units::SDO_ANGLE);
 
         /// `0x5012:05` Axis V. INT32, ro, default 0, in deg ÷ 1000.
-        pub const AXIS_V: Entry<C887, i32, ReadOnly> = Entry::new(0x5012, 5);
+        pub const AXIS_V: Entry<C887, i32, ReadOnly, Unmapped, Angle> =
+            Entry::new(0x5012, 5).measured_in(units::SDO_ANGLE);
 
         /// `0x5012:06` Axis W. INT32, ro, default 0, in deg ÷ 1000.
-        pub const AXIS_W: Entry<C887, i32, ReadOnly> = Entry::new(0x5012, 6);
+        pub const AXIS_W: Entry<C887, i32, ReadOnly, Unmapped, Angle> =
+            Entry::new(0x5012, 6).measured_in(units::SDO_ANGLE);
     }
 
     /// `0x5013` Debug Information.
@@ -809,16 +831,20 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5014, 0);
 
         /// `0x5014:01` Translational Velocity. INT32, ro, default 0, in µm/s.
-        pub const TRANSLATIONAL_VELOCITY: Entry<C887, i32, ReadOnly> = Entry::new(0x5014, 1);
+        pub const TRANSLATIONAL_VELOCITY: Entry<C887, i32, ReadOnly, Unmapped, Velocity> =
+            Entry::new(0x5014, 1).measured_in(units::SDO_VELOCITY);
 
         /// `0x5014:02` Rotational Velocity. INT32, ro, default 0, in deg/s ÷ 1000.
-        pub const ROTATIONAL_VELOCITY: Entry<C887, i32, ReadOnly> = Entry::new(0x5014, 2);
+        pub const ROTATIONAL_VELOCITY: Entry<C887, i32, ReadOnly, Unmapped, AngularVelocity> =
+            Entry::new(0x5014, 2).measured_in(units::SDO_ANGULAR_VELOCITY);
 
         /// `0x5014:03` Translational Acceleration. INT32, ro, default 0, in µm/s².
-        pub const TRANSLATIONAL_ACCELERATION: Entry<C887, i32, ReadOnly> = Entry::new(0x5014, 3);
+        pub const TRANSLATIONAL_ACCELERATION: Entry<C887, i32, ReadOnly, Unmapped, Acceleration> =
+            Entry::new(0x5014, 3).measured_in(units::SDO_ACCELERATION);
 
         /// `0x5014:04` Rotational Acceleration. INT32, ro, default 0, in deg/s² ÷ 1000.
-        pub const ROTATIONAL_ACCELERATION: Entry<C887, i32, ReadOnly> = Entry::new(0x5014, 4);
+        pub const ROTATIONAL_ACCELERATION: Entry<C887, i32, ReadOnly, Unmapped, AngularAcceleration> =
+            Entry::new(0x5014, 4).measured_in(units::SDO_ANGULAR_ACCELERATION);
     }
 
     /// `0x603F:00` Error code. UINT16, ro, TxPDO, default 0 (p. 18, p. 26).
@@ -874,16 +900,16 @@ pub mod objects {
     /// `0x6064:00` Position actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
     ///
     /// The measured position, in position units.
-    pub const fn position_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx> {
-        axis.entry(0x6064, 0x800, 0)
+    pub const fn position_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx, Motion<Length, Angle>> {
+        axis.entry(0x6064, 0x800, 0).measured_in(units::position(axis))
     }
 
     /// `0x607A:00` Target position. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
     ///
     /// The position to move to: the end of a move in profile position mode, the next point of the path in
     /// cyclic synchronous position mode.
-    pub const fn target_position(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
-        axis.entry(0x607A, 0x800, 0)
+    pub const fn target_position(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
+        axis.entry(0x607A, 0x800, 0).measured_in(units::position(axis))
     }
 
     /// `0x607D` Software position limit.
@@ -900,13 +926,17 @@ pub mod objects {
         }
 
         /// `0x607D:01` Min position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        pub const fn min_position_limit(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
-            axis.entry(0x607D, 0x800, 1)
+        pub const fn min_position_limit(
+            axis: Axis,
+        ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
+            axis.entry(0x607D, 0x800, 1).measured_in(units::position(axis))
         }
 
         /// `0x607D:02` Max position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        pub const fn max_position_limit(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
-            axis.entry(0x607D, 0x800, 2)
+        pub const fn max_position_limit(
+            axis: Axis,
+        ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
+            axis.entry(0x607D, 0x800, 2).measured_in(units::position(axis))
         }
     }
 
@@ -949,8 +979,8 @@ pub mod objects {
     /// `0x60B0:00` Position offset. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
     ///
     /// Added to the target position in cyclic synchronous position mode.
-    pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
-        axis.entry(0x60B0, 0x800, 0)
+    pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
+        axis.entry(0x60B0, 0x800, 0).measured_in(units::position(axis))
     }
 
     /// `0x60C2` Interpolation time period.
@@ -990,8 +1020,10 @@ pub mod objects {
     /// The demanded position less the actual one, in position units.
     ///
     /// Calculated by the controller.
-    pub const fn following_error_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx> {
-        axis.entry(0x60F4, 0x800, 0)
+    pub const fn following_error_actual_value(
+        axis: Axis,
+    ) -> Entry<C887, i32, ReadOnly, Tx, Motion<Length, Angle>> {
+        axis.entry(0x60F4, 0x800, 0).measured_in(units::position(axis))
     }
 
     /// `0x60FD:00` Digital Inputs. INT32, ro, TxPDO, default 0 (p. 21 to 31).
@@ -1008,8 +1040,10 @@ pub mod objects {
     ///
     /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
     /// units.
-    pub const fn target_velocity(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
-        axis.entry(0x60FF, 0x800, 0)
+    pub const fn target_velocity(
+        axis: Axis,
+    ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Velocity, AngularVelocity>> {
+        axis.entry(0x60FF, 0x800, 0).measured_in(units::velocity(axis))
     }
 
     /// `0x6502:00` Supported drive modes. UINT32, ro, default 0 (p. 21 to 31).
@@ -2757,9 +2791,6 @@ impl core::fmt::Display for ErrorCode {
 /// What raw values mean, and how to come from physical values to raw ones.
 pub mod units {
     use super::*;
-    use ::devc_runtime::unit::{
-        Acceleration, Angle, AngularAcceleration, AngularVelocity, Length, Unit, Velocity,
-    };
 
     /// Position in process data of X, Y, Z: a step is 1/100000 mm.
     ///
@@ -2775,6 +2806,18 @@ pub mod units {
     /// Source: p. 14.
     pub const POSITION_DEG: Unit<C887, Angle> = Unit::of::<10_000, 1>();
 
+    /// Position in process data of an axis: a step is 1/100000 mm on X, Y, Z, 1/100000 deg on U, V, W.
+    ///
+    /// The device holds the factor in 0x6093:00.
+    ///
+    /// Source: p. 14.
+    pub const fn position(axis: Axis) -> AxisUnit<C887, Length, Angle> {
+        match axis {
+            Axis::X | Axis::Y | Axis::Z => Motion::Linear(POSITION_MM),
+            Axis::U | Axis::V | Axis::W => Motion::Rotary(POSITION_DEG),
+        }
+    }
+
     /// Velocity in process data of X, Y, Z: a step is 1/100000 mm/s.
     ///
     /// The device holds the factor in 0x6093:00.
@@ -2788,6 +2831,18 @@ pub mod units {
     ///
     /// Source: p. 14.
     pub const VELOCITY_DEG_PER_S: Unit<C887, AngularVelocity> = Unit::of::<10_000, 1>();
+
+    /// Velocity in process data of an axis: a step is 1/100000 mm/s on X, Y, Z, 1/100000 deg/s on U, V, W.
+    ///
+    /// The device holds the factor in 0x6093:00.
+    ///
+    /// Source: p. 14.
+    pub const fn velocity(axis: Axis) -> AxisUnit<C887, Velocity, AngularVelocity> {
+        match axis {
+            Axis::X | Axis::Y | Axis::Z => Motion::Linear(VELOCITY_MM_PER_S),
+            Axis::U | Axis::V | Axis::W => Motion::Rotary(VELOCITY_DEG_PER_S),
+        }
+    }
 
     /// Position in SDOs: a step is 1 µm.
     ///

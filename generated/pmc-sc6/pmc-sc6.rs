@@ -39,9 +39,11 @@ pub mod double {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::{Angle, Scale, Unit};
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402.
@@ -703,8 +705,8 @@ pub mod double {
         /// Tab. 35).
         ///
         /// The measured position, in position units.
-        pub const fn position_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
-            axis.entry(0x6064, 0x800, 0)
+        pub const fn position_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
+            axis.entry(0x6064, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab.
@@ -712,8 +714,8 @@ pub mod double {
         ///
         /// How far the actual position may be from the demanded one, to either side, before a following error
         /// is counted; the largest value switches the supervision off.
-        pub const fn following_error_window(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
-            axis.entry(0x6065, 0x800, 0)
+        pub const fn following_error_window(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx, Angle> {
+            axis.entry(0x6065, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -780,8 +782,8 @@ pub mod double {
         ///
         /// The position to move to: the end of a move in profile position mode, the next point of the path in
         /// cyclic synchronous position mode.
-        pub const fn target_position(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
-            axis.entry(0x607A, 0x800, 0)
+        pub const fn target_position(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+            axis.entry(0x607A, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x607B` Position range limit.
@@ -801,16 +803,16 @@ pub mod double {
             /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// There for compatibility only, it does nothing.
-            pub const fn min_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
-                axis.entry(0x607B, 0x800, 1)
+            pub const fn min_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+                axis.entry(0x607B, 0x800, 1).measured_in(units::POSITION)
             }
 
             /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
-            pub const fn max_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
-                axis.entry(0x607B, 0x800, 2)
+            pub const fn max_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+                axis.entry(0x607B, 0x800, 2).measured_in(units::POSITION)
             }
         }
 
@@ -818,8 +820,8 @@ pub mod double {
         /// Tab. 35).
         ///
         /// The distance from the home position found by homing to the zero of the position values.
-        pub const fn home_offset(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
-            axis.entry(0x607C, 0x800, 0)
+        pub const fn home_offset(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+            axis.entry(0x607C, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x607D` Software position limit.
@@ -839,13 +841,13 @@ pub mod double {
             }
 
             /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn min_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
-                axis.entry(0x607D, 0x800, 1)
+            pub const fn min_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+                axis.entry(0x607D, 0x800, 1).measured_in(units::POSITION)
             }
 
             /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn max_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
-                axis.entry(0x607D, 0x800, 2)
+            pub const fn max_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+                axis.entry(0x607D, 0x800, 2).measured_in(units::POSITION)
             }
         }
 
@@ -1058,32 +1060,32 @@ pub mod double {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 1 has seen.
-        pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
-            axis.entry(0x60BA, 0x800, 0)
+        pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
+            axis.entry(0x60BA, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 1 has seen.
-        pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
-            axis.entry(0x60BB, 0x800, 0)
+        pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
+            axis.entry(0x60BB, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 2 has seen.
-        pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
-            axis.entry(0x60BC, 0x800, 0)
+        pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
+            axis.entry(0x60BC, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 2 has seen.
-        pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
-            axis.entry(0x60BD, 0x800, 0)
+        pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
+            axis.entry(0x60BD, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -1112,8 +1114,8 @@ pub mod double {
             }
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn _1st_set_point(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
-                axis.entry(0x60C1, 0x800, 1)
+            pub const fn _1st_set_point(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+                axis.entry(0x60C1, 0x800, 1).measured_in(units::POSITION)
             }
         }
 
@@ -1378,8 +1380,8 @@ pub mod double {
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
             pub const fn _1st_additional_position_actual_value(
                 axis: Axis,
-            ) -> Entry<Double, i32, ReadOnly, Tx> {
-                axis.entry(0x60E4, 0x800, 1)
+            ) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
+                axis.entry(0x60E4, 0x800, 1).measured_in(units::POSITION)
             }
         }
 
@@ -1397,8 +1399,8 @@ pub mod double {
         /// 7.2.2, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
-        pub const fn following_error_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
-            axis.entry(0x60F4, 0x800, 0)
+        pub const fn following_error_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
+            axis.entry(0x60F4, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -4213,7 +4215,6 @@ pub mod double {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{Angle, Scale, Unit};
 
         /// Position: a step is 45/131072 deg.
         ///
@@ -5672,9 +5673,11 @@ pub mod single {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::{Angle, Scale, Unit};
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402.
@@ -6203,14 +6206,16 @@ pub mod single {
         /// Tab. 35).
         ///
         /// The measured position, in position units.
-        pub const POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
+        pub const POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx, Angle> =
+            Entry::new(0x6064, 0).measured_in(units::POSITION);
 
         /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab.
         /// 34; 7.2.2, Tab. 35).
         ///
         /// How far the actual position may be from the demanded one, to either side, before a following error
         /// is counted; the largest value switches the supervision off.
-        pub const FOLLOWING_ERROR_WINDOW: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6065, 0);
+        pub const FOLLOWING_ERROR_WINDOW: Entry<Single, u32, ReadWrite, RxTx, Angle> =
+            Entry::new(0x6065, 0).measured_in(units::POSITION);
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -6260,7 +6265,8 @@ pub mod single {
         ///
         /// The position to move to: the end of a move in profile position mode, the next point of the path in
         /// cyclic synchronous position mode.
-        pub const TARGET_POSITION: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607A, 0);
+        pub const TARGET_POSITION: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+            Entry::new(0x607A, 0).measured_in(units::POSITION);
 
         /// `0x607B` Position range limit.
         ///
@@ -6277,20 +6283,23 @@ pub mod single {
             /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// There for compatibility only, it does nothing.
-            pub const MIN_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607B, 1);
+            pub const MIN_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+                Entry::new(0x607B, 1).measured_in(units::POSITION);
 
             /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
-            pub const MAX_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607B, 2);
+            pub const MAX_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+                Entry::new(0x607B, 2).measured_in(units::POSITION);
         }
 
         /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34; 7.2.2,
         /// Tab. 35).
         ///
         /// The distance from the home position found by homing to the zero of the position values.
-        pub const HOME_OFFSET: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607C, 0);
+        pub const HOME_OFFSET: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+            Entry::new(0x607C, 0).measured_in(units::POSITION);
 
         /// `0x607D` Software position limit.
         ///
@@ -6307,10 +6316,12 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x607D, 0);
 
             /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const MIN_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607D, 1);
+            pub const MIN_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+                Entry::new(0x607D, 1).measured_in(units::POSITION);
 
             /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const MAX_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x607D, 2);
+            pub const MAX_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+                Entry::new(0x607D, 2).measured_in(units::POSITION);
         }
 
         /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, Tab. 34).
@@ -6475,25 +6486,29 @@ pub mod single {
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 1 has seen.
-        pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BA, 0);
+        pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
+            Entry::new(0x60BA, 0).measured_in(units::POSITION);
 
         /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 1 has seen.
-        pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BB, 0);
+        pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
+            Entry::new(0x60BB, 0).measured_in(units::POSITION);
 
         /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the rising edge that touch probe 2 has seen.
-        pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BC, 0);
+        pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
+            Entry::new(0x60BC, 0).measured_in(units::POSITION);
 
         /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The position at the falling edge that touch probe 2 has seen.
-        pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60BD, 0);
+        pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
+            Entry::new(0x60BD, 0).measured_in(units::POSITION);
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -6516,7 +6531,8 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60C1, 0);
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const _1ST_SET_POINT: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x60C1, 1);
+            pub const _1ST_SET_POINT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+                Entry::new(0x60C1, 1).measured_in(units::POSITION);
         }
 
         /// `0x60C2` Interpolation time period.
@@ -6726,8 +6742,8 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60E4, 0);
 
             /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
-            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> =
-                Entry::new(0x60E4, 1);
+            pub const _1ST_ADDITIONAL_POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx, Angle> =
+                Entry::new(0x60E4, 1).measured_in(units::POSITION);
         }
 
         /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -6741,7 +6757,8 @@ pub mod single {
         /// 7.2.2, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
-        pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
+        pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx, Angle> =
+            Entry::new(0x60F4, 0).measured_in(units::POSITION);
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
@@ -9472,7 +9489,6 @@ pub mod single {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{Angle, Scale, Unit};
 
         /// Position: a step is 45/131072 deg.
         ///
@@ -10870,9 +10886,11 @@ pub mod double_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::Scale;
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
@@ -15109,7 +15127,6 @@ pub mod double_hires {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{Scale};
 
         /// Position: a step is 1 user unit / 10^I06.
         ///
@@ -16469,9 +16486,11 @@ pub mod single_hires {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::Scale;
     use ::devc_runtime::{Device, error};
 
     /// The PMC SC6/SI6 single-axis, CiA 402 HiRes Motion.
@@ -20285,7 +20304,6 @@ pub mod single_hires {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{Scale};
 
         /// Position: a step is 1 user unit / 10^I06.
         ///

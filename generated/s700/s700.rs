@@ -36,9 +36,11 @@ pub mod s300 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
     use ::devc_runtime::{Device, error};
 
     /// The S300.
@@ -1190,7 +1192,8 @@ pub mod s300 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -1262,10 +1265,12 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
@@ -1298,7 +1303,8 @@ pub mod s300 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -1307,7 +1313,8 @@ pub mod s300 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
@@ -1381,7 +1388,8 @@ pub mod s300 {
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly, Tx, Current> =
+            Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
@@ -1396,7 +1404,8 @@ pub mod s300 {
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly, Tx, Voltage> =
+            Entry::new(0x361A, 0).measured_in(units::VOLT);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
@@ -1445,21 +1454,24 @@ pub mod s300 {
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S300, i32, ReadOnly, Tx, AngularVelocity> =
+            Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x6071, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S300, i16, ReadOnly, Tx, Scale> =
+            Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
@@ -1537,7 +1549,8 @@ pub mod s300 {
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -4503,7 +4516,6 @@ pub mod s300 {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
         /// Position: a step is 1 increments.
         ///
@@ -5764,9 +5776,11 @@ pub mod s400 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
     use ::devc_runtime::{Device, error};
 
     /// The S400.
@@ -6650,7 +6664,8 @@ pub mod s400 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -6722,10 +6737,12 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
@@ -6758,7 +6775,8 @@ pub mod s400 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -6767,7 +6785,8 @@ pub mod s400 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
@@ -6841,7 +6860,8 @@ pub mod s400 {
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly, Tx, Current> =
+            Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
@@ -6856,7 +6876,8 @@ pub mod s400 {
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly, Tx, Voltage> =
+            Entry::new(0x361A, 0).measured_in(units::VOLT);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
@@ -6905,21 +6926,24 @@ pub mod s400 {
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly, Tx, AngularVelocity> =
+            Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x6071, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S400, i16, ReadOnly, Tx, Scale> =
+            Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
@@ -6997,7 +7021,8 @@ pub mod s400 {
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -9176,7 +9201,6 @@ pub mod s400 {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
         /// Position: a step is 1 increments.
         ///
@@ -10303,9 +10327,11 @@ pub mod s600 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
     use ::devc_runtime::{Device, error};
 
     /// The S600.
@@ -11189,7 +11215,8 @@ pub mod s600 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -11261,10 +11288,12 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
@@ -11297,7 +11326,8 @@ pub mod s600 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -11306,7 +11336,8 @@ pub mod s600 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
@@ -11380,7 +11411,8 @@ pub mod s600 {
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly, Tx, Current> =
+            Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
@@ -11395,7 +11427,8 @@ pub mod s600 {
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly, Tx, Voltage> =
+            Entry::new(0x361A, 0).measured_in(units::VOLT);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
@@ -11444,21 +11477,24 @@ pub mod s600 {
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly, Tx, AngularVelocity> =
+            Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x6071, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S600, i16, ReadOnly, Tx, Scale> =
+            Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
@@ -11536,7 +11572,8 @@ pub mod s600 {
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -13715,7 +13752,6 @@ pub mod s600 {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
         /// Position: a step is 1 increments.
         ///
@@ -14842,9 +14878,11 @@ pub mod s700 {
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
     use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
-        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+        Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
+        Tx, Unmapped,
     };
     use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+    use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
     use ::devc_runtime::{Device, error};
 
     /// The S700.
@@ -15996,7 +16034,8 @@ pub mod s700 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
-        pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2061, 0);
+        pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
         ///
@@ -16068,10 +16107,12 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x20B2, 1);
+            pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
-            pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x20B2, 2);
+            pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly, Tx, Voltage> =
+                Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
 
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
@@ -16104,7 +16145,8 @@ pub mod s700 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
-        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2307, 0);
+        pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
         ///
@@ -16113,7 +16155,8 @@ pub mod s700 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
-        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2308, 0);
+        pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
@@ -16187,7 +16230,8 @@ pub mod s700 {
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
-        pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x3570, 0);
+        pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly, Tx, Current> =
+            Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
@@ -16202,7 +16246,8 @@ pub mod s700 {
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
-        pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x361A, 0);
+        pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly, Tx, Voltage> =
+            Entry::new(0x361A, 0).measured_in(units::VOLT);
 
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
         ///
@@ -16251,21 +16296,24 @@ pub mod s700 {
         /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S700, i32, ReadOnly, Tx, AngularVelocity> =
+            Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
         ///
         /// The current wanted in cyclic synchronous torque mode (OPMODE 2).
         ///
         /// Taken in each bus cycle. Recorded as ICMD.
-        pub const CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x6071, 0);
+        pub const CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx, Scale> =
+            Entry::new(0x6071, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280 (3.7.2).
         ///
         /// The current of the motor.
         ///
         /// Updated in each bus cycle. Recorded as I.
-        pub const CURRENT_ACTUAL_VALUE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
+        pub const CURRENT_ACTUAL_VALUE: Entry<S700, i16, ReadOnly, Tx, Scale> =
+            Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
         /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
@@ -16343,7 +16391,8 @@ pub mod s700 {
         /// The velocity wanted in cyclic synchronous velocity mode (OPMODE 0).
         ///
         /// Taken in each bus cycle. Recorded as VCMD.
-        pub const VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x60FF, 0);
+        pub const VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
+            Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
@@ -19319,7 +19368,6 @@ pub mod s700 {
     /// What raw values mean, and how to come from physical values to raw ones.
     pub mod units {
         use super::*;
-        use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 
         /// Position: a step is 1 increments.
         ///

@@ -21,6 +21,7 @@ fn the_derive_compiles_or_says_why_not() -> io::Result<()> {
     cases.compile_fail("tests/ui/private.rs");
     cases.compile_fail("tests/ui/typo.rs");
     cases.compile_fail("tests/ui/wrong_access.rs");
+    cases.compile_fail("tests/ui/wrong_quantity.rs");
     cases.compile_fail("tests/ui/forbidden_image.rs");
     cases.compile_fail("tests/ui/forbidden_mapping.rs");
     cases.compile_fail("tests/ui/mapping_settings.rs");

@@ -91,6 +91,8 @@ fn main() {
         inputs = hexapod.cycle(Outputs { axes }.pack());
     }
     let off = hexapod.positions.iter().zip(start).map(|(is, was)| is.abs_diff(was)).max();
-    println!("drive   {} on all axes, the widest step {} µm", hexapod.axes.state(), hexapod.jump / 100);
-    println!("drive   back within {} µm", off.unwrap_or(0) / 100);
+    let [jump, off] =
+        [hexapod.jump, off.unwrap_or(0)].map(|steps| units::POSITION_MM.physical(steps).in_micrometres());
+    println!("drive   {} on all axes, the widest step {jump:.1} µm", hexapod.axes.state());
+    println!("drive   back within {off:.0} µm");
 }

@@ -3,6 +3,7 @@
 mod access;
 mod address;
 mod entry;
+mod measured;
 mod value;
 mod width;
 

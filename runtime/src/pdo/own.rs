@@ -5,6 +5,7 @@ use super::{Direction, MappedPdo, Mapping, Pdo, Rx, Tx};
 use crate::Device;
 use crate::object::{Entry, Value};
 use crate::text::Text;
+use crate::unit::Measurand;
 
 /// What a user may put into a PDO. The module of a device has a type for each whose mapping is free, such as
 /// `FreeRxPdo1600`; `#[derive(Pdo)]` makes process data of it.
@@ -61,7 +62,7 @@ impl MapsTo<Tx> for RxTx {}
 /// The entry as what is mapped to a free PDO: it has to be of the same device, to have the field's type, and to be
 /// one that may be mapped this way.
 pub const fn mapped<F: MappingObject, T: Value, A, M: MapsTo<F::Direction>>(
-    entry: Entry<F::Device, T, A, M>,
+    entry: Entry<F::Device, T, A, M, impl Measurand>,
 ) -> Mapping {
     Mapping { address: entry.address(), bits: T::BITS as u8 }
 }

@@ -4,7 +4,7 @@ use super::axes::Placed;
 use super::doc::{Doc, escape, place, sentence};
 use super::literal;
 use super::scope::Scope;
-use crate::model::{Access, Entry, Mappable, Object, Source, Unit};
+use crate::model::{Access, Entry, Mappable, Object, Scale, Source, Unit};
 
 /// Index, name, type, access, range, unit, meaning and source.
 pub(super) fn doc(scope: &Scope<'_>, placed: &Placed<'_, Object>, entry: &Entry) -> Doc {
@@ -45,21 +45,28 @@ pub(super) fn facts(scope: &Scope<'_>, entry: &Entry, source: Option<&Source>) -
     escape(&format!("{}{source}.", facts.join(", ")))
 }
 
-/// The unit of the raw value.
+/// The unit of the raw value: `in mm or deg ÷ 1000`, and where the scale differs, too, `in mm ÷ 1000 or deg ÷ 10`.
 pub(super) fn unit(unit: &Unit) -> String {
-    let mut symbols: Vec<&str> = Vec::new();
+    let shared = unit.axes.first().map(|axis| axis.scale);
+    let shared = shared.filter(|scale| unit.axes.iter().all(|axis| axis.scale == *scale));
+    let mut steps: Vec<String> = Vec::new();
     for axis in &unit.axes {
-        if !symbols.contains(&axis.symbol.as_str()) {
-            symbols.push(&axis.symbol);
+        let ratio = if shared.is_some() { String::new() } else { ratio(axis.scale) };
+        let step = format!("{}{ratio}", axis.symbol);
+        if !steps.contains(&step) {
+            steps.push(step);
         }
     }
-    let scale = unit.axes.first().and_then(|axis| axis.scale).filter(|scale| scale.raw != scale.units);
-    let scale = match scale {
+    format!("in {}{}", steps.join(" or "), shared.map(ratio).unwrap_or_default())
+}
+
+/// A raw step as a part or a multiple of the unit.
+fn ratio(scale: Option<Scale>) -> String {
+    match scale.filter(|scale| scale.raw != scale.units) {
         Some(scale) if scale.units == 1 => format!(" ÷ {}", scale.raw),
         Some(scale) => format!(" × {} ÷ {}", scale.units, scale.raw),
         None => String::new(),
-    };
-    format!("in {}{scale}", symbols.join(" or "))
+    }
 }
 
 /// The default as it is in code, but for the marks between digits.

@@ -1,19 +1,20 @@
 //! What a module begins with: what it is of, the device, the axes.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
 
 use super::axes::shift;
 use super::doc::{Doc, escape, sentence};
 use super::literal::{hex32, number};
 use super::scope::Scope;
+use super::units;
 use crate::model::{Device, Index};
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let (docs, runtime, device) = (module_doc(scope.device).inner(), scope.runtime, device(scope));
-    let axes = scope.has_axes().then(|| axes(scope));
-    let widths = scope.widths();
-    let widths = (!widths.is_empty()).then(|| quote!(use #runtime::object::{#(#widths),*};));
+    let axes = scope.has_axes.then(|| axes(scope));
+    let widths = imports(scope, &format_ident!("object"), &scope.widths());
+    let units = imports(scope, &format_ident!("unit"), &Vec::from_iter(units::types(&scope.units)));
     quote! {
         #docs
         #![allow(
@@ -30,11 +31,23 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{
             Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+            Unmapped,
         };
         use #runtime::start_up::{AxisObjects, BringUp, Write};
+        #units
         use #runtime::{Device, error};
         #device
         #axes
+    }
+}
+
+/// Names out of a module of the runtime, if there are any.
+fn imports(scope: &Scope<'_>, module: &Ident, names: &[impl ToTokens]) -> TokenStream {
+    let runtime = scope.runtime;
+    match names {
+        [] => TokenStream::new(),
+        [only] => quote!(use #runtime::#module::#only;),
+        names => quote!(use #runtime::#module::{#(#names),*};),
     }
 }
 

@@ -20,6 +20,7 @@ mod information;
 mod literal;
 mod machine;
 mod measure;
+mod measured;
 mod modes;
 mod names;
 mod objects;

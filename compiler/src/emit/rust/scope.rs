@@ -6,8 +6,10 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::Options;
 use super::axes::{Placed, placed};
+use super::measured::{self, Measured};
 use super::names::{Names, camel, snake};
 use super::types::{Primitive, Types};
+use super::units;
 use crate::model::{Device, Object, Pdo};
 
 /// Names that every module has or that it imports.
@@ -77,6 +79,7 @@ const RESERVED: &[&str] = &[
     "Uint48",
     "Uint56",
     "UnknownState",
+    "Unmapped",
     "VendorCode",
     "Write",
     "WriteOnly",
@@ -92,29 +95,32 @@ pub(super) struct Scope<'a> {
     pub(super) marker: Ident,
     /// Whether the type is declared beside the module.
     pub(super) marker_is_outside: bool,
+    /// Whether something of the device is there for each axis.
+    pub(super) has_axes: bool,
     /// The objects, those of axes together.
     pub(super) objects: Vec<Placed<'a, Object>>,
     /// The PDOs, those of axes together.
     pub(super) pdos: Vec<Placed<'a, Pdo>>,
     pub(super) types: Types<'a>,
+    pub(super) units: Vec<Measured<'a>>,
 }
 
 impl<'a> Scope<'a> {
     pub(super) fn new(device: &'a Device, options: &'a Options) -> Self {
-        let mut names = Names::with(RESERVED);
-        let wanted = options.device.clone().unwrap_or_else(|| camel(&device.id));
-        let marker = if options.device.is_some() { wanted } else { names.claim(&wanted) };
         let objects = placed(&device.objects, device);
         let pdos = placed(&device.pdos, device);
+        let has_axes =
+            objects.iter().any(|object| object.shift.is_some()) || pdos.iter().any(|pdo| pdo.shift.is_some());
+        let units = measured::all(device, has_axes);
+        let mut names = Names::with(RESERVED);
+        for name in units::types(&units) {
+            names.claim(&name);
+        }
+        let wanted = options.device.clone().unwrap_or_else(|| camel(&device.id));
+        let marker = if options.device.is_some() { wanted } else { names.claim(&wanted) };
         let types = Types::of(device, &mut names);
         let (runtime, marker_is_outside) = (&options.runtime, options.device.is_some());
-        Self { device, runtime, marker, marker_is_outside, objects, pdos, types }
-    }
-
-    /// Whether something of the device is there for each axis.
-    pub(super) fn has_axes(&self) -> bool {
-        self.objects.iter().any(|object| object.shift.is_some())
-            || self.pdos.iter().any(|pdo| pdo.shift.is_some())
+        Self { device, runtime, marker, marker_is_outside, has_axes, objects, pdos, types, units }
     }
 
     /// The runtime's types of numbers that the device has.

@@ -66,7 +66,7 @@ impl Primitive {
     }
 
     /// Whether it counts.
-    fn is_number(self) -> bool {
+    pub(super) fn is_number(self) -> bool {
         matches!(self, Self::Signed(_) | Self::Unsigned(_))
     }
 

@@ -8,7 +8,7 @@ use devc_runtime::cia402::{
 use devc_runtime::error::ErrorCode as _;
 use devc_runtime::unit::Length;
 
-use crate::c887::{ErrorCode, HOMING, MACHINE, units};
+use crate::c887::{Axis, ErrorCode, HOMING, MACHINE, objects, units};
 use crate::{pmc_sc6, s700};
 
 pub fn run() {
@@ -18,6 +18,9 @@ pub fn run() {
     black_box(ErrorCode(black_box(0x7121)).name());
     black_box(units::POSITION_MM.saturating::<i32>(black_box(Length::millimetres(1))));
     black_box(units::POSITION_MM.physical(black_box(1_i32)));
+    let origin = objects::work_coordinate_system::AXIS_X;
+    black_box(origin.exact(black_box(Length::millimetres(1))).is_ok());
+    black_box(objects::position_actual_value(black_box(Axis::X)).physical(black_box(1)));
 }
 
 #[inline(never)]
