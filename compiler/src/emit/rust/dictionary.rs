@@ -9,7 +9,7 @@ use super::names::Names;
 use super::scope::Scope;
 use super::stored::{Shape, Stored, entry_doc, kept};
 use super::{slots, table};
-use crate::model::Object;
+use crate::model::{Entry, Object};
 
 /// What the module imports or declares beside the structs of records.
 const RESERVED: &[&str] = &[
@@ -68,8 +68,7 @@ fn record(scope: &Scope<'_>, object: &Stored<'_>) -> Option<TokenStream> {
 /// The default values on an axis, as an initialiser of the field.
 fn default(scope: &Scope<'_>, stored: &Stored<'_>, object: &Object) -> TokenStream {
     let name = &stored.name;
-    let mut values = stored.entries.iter().map(|first| {
-        let entry = object.entry(first.address.subindex).unwrap_or(first);
+    let mut values = stored.on(object).map(|(first, entry)| {
         let value = kept(scope, first);
         value.wrap(literal::kept(entry, value.primitive))
     });
@@ -78,18 +77,18 @@ fn default(scope: &Scope<'_>, stored: &Stored<'_>, object: &Object) -> TokenStre
             let value = values.next();
             quote!(#name: #value,)
         }
-        Shape::Array => {
-            let values: Vec<TokenStream> = values.collect();
-            let count = literal::number(values.len());
-            match values.split_first() {
-                Some((first, rest)) if rest.iter().all(|value| value.to_string() == first.to_string()) => {
-                    quote!(#name: [#first; #count],)
-                }
-                _ => quote!(#name: [#(#values),*],),
-            }
+        Shape::Array if are_alike(stored.on(object).map(|(_, entry)| entry)) => {
+            let (value, count) = (values.next(), literal::number(stored.entries.len()));
+            quote!(#name: [#value; #count],)
         }
+        Shape::Array => quote!(#name: [#(#values),*],),
         Shape::Record(ident, fields) => quote!(#name: #ident { #(#fields: #values),* },),
     }
+}
+
+/// Whether all have the same default.
+fn are_alike<'a>(mut entries: impl Iterator<Item = &'a Entry>) -> bool {
+    entries.next().is_none_or(|first| entries.all(|entry| entry.default == first.default))
 }
 
 fn fields(objects: &[&Stored<'_>]) -> TokenStream {
@@ -154,24 +153,25 @@ fn structure(
 
 /// The defaults of all axes, of which only those that differ from the first axis are written out.
 fn axes_default(scope: &Scope<'_>, objects: &[&Stored<'_>]) -> TokenStream {
-    let axes: Vec<TokenStream> = (0..scope.device.axes.len())
-        .map(|axis| {
-            let differing = objects.iter().filter_map(|object| {
-                let here = default(scope, object, object.placed.all.get(axis)?);
-                (here.to_string() != default(scope, object, object.placed.first).to_string()).then_some(here)
-            });
-            let differing: Vec<TokenStream> = differing.collect();
-            if differing.is_empty() {
-                quote!(AxisDictionary::DEFAULT)
-            } else {
-                quote!(AxisDictionary { #(#differing)* ..AxisDictionary::DEFAULT })
-            }
-        })
-        .collect();
-    let first = quote!(AxisDictionary::DEFAULT);
-    if axes.iter().all(|axis| axis.to_string() == first.to_string()) {
-        let count = literal::number(axes.len());
-        return quote!(axes: [#first; #count],);
+    let count = scope.device.axes.len();
+    let of_axes: Vec<Vec<TokenStream>> = (0..count).map(|axis| differing(scope, objects, axis)).collect();
+    if of_axes.iter().all(Vec::is_empty) {
+        let count = literal::number(count);
+        return quote!(axes: [AxisDictionary::DEFAULT; #count],);
     }
+    let axes = of_axes.iter().map(|differing| match differing.as_slice() {
+        [] => quote!(AxisDictionary::DEFAULT),
+        differing => quote!(AxisDictionary { #(#differing)* ..AxisDictionary::DEFAULT }),
+    });
     quote!(axes: [#(#axes),*],)
+}
+
+/// The defaults that an axis has for itself.
+fn differing(scope: &Scope<'_>, objects: &[&Stored<'_>], axis: usize) -> Vec<TokenStream> {
+    let differs = |(first, entry): (&Entry, &Entry)| entry.default != first.default;
+    let of_axis = objects.iter().filter_map(|stored| {
+        let object = stored.placed.all.get(axis)?;
+        stored.on(object).any(differs).then(|| default(scope, stored, object))
+    });
+    of_axis.collect()
 }

@@ -70,6 +70,11 @@ impl<'a> Stored<'a> {
         Some(Self { placed, number: 0, name, field, doc, shape, entries })
     }
 
+    /// Each entry that is kept, of the first axis and of this object, which is that of another axis or the same.
+    pub(super) fn on<'b>(&'b self, object: &'b Object) -> impl Iterator<Item = (&'b Entry, &'b Entry)> {
+        self.entries.iter().map(|first| (*first, object.entry(first.address.subindex).unwrap_or(first)))
+    }
+
     /// Whether each axis has it.
     pub(super) fn is_of_axis(&self) -> bool {
         self.placed.shift.is_some()
@@ -142,9 +147,8 @@ fn changeable(object: &Object) -> Vec<&Entry> {
 
 /// Whether the values have one type and no gaps.
 fn is_array(scope: &Scope<'_>, object: &Object, entries: &[&Entry]) -> bool {
-    let value = |entry: &Entry| kept(scope, entry).field().to_string();
     let Some(first) = entries.first() else { return false };
     object.kind == Kind::Array
         && entries.iter().zip(1..=u8::MAX).all(|(entry, subindex)| entry.address.subindex == subindex)
-        && entries.iter().all(|entry| value(entry) == value(first))
+        && entries.iter().all(|entry| kept(scope, entry) == kept(scope, first))
 }

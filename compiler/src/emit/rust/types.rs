@@ -94,7 +94,7 @@ impl Primitive {
 }
 
 /// The type of a value in generated code: a primitive, or a struct around it.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ValueType {
     pub(super) primitive: Primitive,
     pub(super) newtype: Option<Ident>,
