@@ -1,5 +1,6 @@
 //! Axes put together again: what each axis has, with the distance from one to the next.
 
+use std::collections::BTreeSet;
 use std::fmt::Debug;
 
 use proc_macro2::TokenStream;
@@ -102,15 +103,17 @@ pub(super) fn shifted(index: Index, by: u16, axes: u16) -> Option<Index> {
 
 /// Puts axes together where they are alike; what differs from axis to axis stays apart.
 pub(super) fn placed<'a, T: OfAxis>(items: &'a [T], device: &Device) -> Vec<Placed<'a, T>> {
-    let mut placed: Vec<Placed<'a, T>> = Vec::new();
+    let (mut placed, mut known): (Vec<Placed<'a, T>>, BTreeSet<Index>) = Default::default();
     for item in items {
-        if placed.iter().any(|known| known.all.iter().any(|other| other.index() == item.index())) {
+        if known.contains(&item.index()) {
             continue;
         }
-        placed.push(match across(item, items, device) {
+        let item = match across(item, items, device) {
             Some((all, shift)) => Placed { first: item, all, shift: Some(shift), id: item.id() },
             None => Placed { first: item, all: vec![item], shift: None, id: alone(item, device) },
-        });
+        };
+        known.extend(item.all.iter().map(|item| item.index()));
+        placed.push(item);
     }
     placed
 }
