@@ -3,9 +3,10 @@
 use super::images::images;
 use super::{Image, Pack, Unpack};
 
+/// The functions whose names begin so.
 macro_rules! c {
     (
-        $image:ident, $bytes:literal = [$pdo:ident, $size:literal; $count:literal]:
+        $pack:literal $unpack:literal $image:ident, $bytes:literal = [$pdo:ident, $size:literal; $count:literal]:
         $($field:ident: $type:ident at $first:literal, $length:literal;)*
     ) => {
         #[repr(C)]
@@ -19,14 +20,14 @@ macro_rules! c {
             const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = {
                 unsafe extern "C-unwind" {
-                    #[link_name = concat!("pack_", stringify!($image))]
+                    #[link_name = concat!($pack, stringify!($image))]
                     safe fn pack(pdos: &$image, frame: &mut [u8; $bytes]);
                 }
                 pack
             };
             const UNPACK: Unpack<Self, $bytes> = {
                 unsafe extern "C-unwind" {
-                    #[link_name = concat!("unpack_", stringify!($image))]
+                    #[link_name = concat!($unpack, stringify!($image))]
                     safe fn unpack(frame: &[u8; $bytes], pdos: &mut $image);
                 }
                 unpack
@@ -39,4 +40,6 @@ macro_rules! c {
     };
 }
 
-images!(c);
+pub(super) use c;
+
+images!(c "pack_" "unpack_");

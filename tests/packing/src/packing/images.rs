@@ -1,22 +1,22 @@
 //! The four images: their fields for the ways to convert them, and what has to come of bytes that count up from 1.
 
-/// Hands each image to a macro: its name, its bytes, its PDO and how many of them there are; then each field of the
-/// PDO with its type, its first byte and its number of bytes.
+/// Hands each image to a macro, behind what is for the macro itself: its name, its bytes, its PDO and how many of them
+/// there are; then each field of the PDO with its type, its first byte and its number of bytes.
 macro_rules! images {
-    ($way:ident) => {
+    ($way:ident $($own:tt)*) => {
         // C-887, RxPDO 0x1600 of each axis
         $way! {
-            C887Outputs, 42 = [C887Out, 7; 6]:
+            $($own)* C887Outputs, 42 = [C887Out, 7; 6]:
             controlword: u16 at 0, 2; mode: i8 at 2, 1; position: i32 at 3, 4;
         }
         // C-887, TxPDO 0x1A00 of each axis
         $way! {
-            C887Inputs, 66 = [C887In, 11; 6]:
+            $($own)* C887Inputs, 66 = [C887In, 11; 6]:
             statusword: u16 at 0, 2; mode: i8 at 2, 1; position: i32 at 3, 4; following_error: i32 at 7, 4;
         }
         // S700, TxPDO 0x1B0B
         $way! {
-            S700Inputs, 40 = [S700In, 40; 1]:
+            $($own)* S700Inputs, 40 = [S700In, 40; 1]:
             position_1: i32 at 0, 4; position_2: i32 at 4, 4; velocity: i32 at 8, 4; current: i16 at 12, 2;
             statusword: u16 at 14, 2; errors: i32 at 16, 4; warnings: i32 at 20, 4; digital_io: u32 at 24, 4;
             analog_1: i16 at 28, 2; analog_2: i16 at 30, 2; following_error: i32 at 32, 4;
@@ -24,7 +24,7 @@ macro_rules! images {
         }
         // PMC SC6, double axis, TxPDO 0x1A00 of each axis
         $way! {
-            PilzInputs, 58 = [PilzIn, 29; 2]:
+            $($own)* PilzInputs, 58 = [PilzIn, 29; 2]:
             statusword: u16 at 0, 2; mode: i8 at 2, 1; position: i32 at 3, 4; velocity: i32 at 7, 4;
             torque: i16 at 11, 2; following_error: i32 at 13, 4; digital_inputs: u32 at 17, 4;
             additional_position: i32 at 21, 4; statusword_2: u16 at 25, 2; statusword_user: u16 at 27, 2;
