@@ -4,8 +4,8 @@ use std::io::Cursor;
 
 use binrw::{BinRead, BinWrite};
 
-use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::images::{images, values};
+use super::{Image, Pack, Unpack, Values};
 
 macro_rules! structs {
     (
@@ -18,10 +18,9 @@ macro_rules! structs {
             $($field: $type,)*
         }
 
-        pub type $image = [$pdo; $count];
+        values!($image = [$pdo; $count]: $($field)*);
 
         impl Image<$bytes> for $image {
-            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = {
                 extern "C-unwind" fn pack(pdos: &$image, frame: &mut [u8; $bytes]) {
                     pdos.write_le(&mut Cursor::new(&mut frame[..])).unwrap();
@@ -34,10 +33,6 @@ macro_rules! structs {
                 }
                 unpack
             };
-
-            fn fields(&self) -> Vec<i64> {
-                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }

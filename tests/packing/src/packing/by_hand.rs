@@ -1,7 +1,7 @@
 //! By hand, as careful as can be: constant offsets into an array.
 
-use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::images::{images, values};
+use super::{Image, Pack, Unpack, Values};
 
 macro_rules! by_hand {
     (
@@ -12,10 +12,9 @@ macro_rules! by_hand {
             $($field: $type,)*
         }
 
-        pub type $image = [$pdo; $count];
+        values!($image = [$pdo; $count]: $($field)*);
 
         impl Image<$bytes> for $image {
-            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = {
                 extern "C-unwind" fn pack(pdos: &$image, frame: &mut [u8; $bytes]) {
                     let (chunks, _) = frame.as_chunks_mut::<$size>();
@@ -37,10 +36,6 @@ macro_rules! by_hand {
                 }
                 unpack
             };
-
-            fn fields(&self) -> Vec<i64> {
-                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }

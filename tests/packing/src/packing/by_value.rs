@@ -2,7 +2,7 @@
 
 use devc_runtime::pdo::ProcessData;
 
-use super::{Image, Pack, Unpack};
+use super::{Image, Pack, Unpack, Values};
 use crate::{c887, pmc_sc6, s700};
 
 pub use crate::c887::{Inputs as C887Inputs, Outputs as C887Outputs};
@@ -19,15 +19,18 @@ extern "C-unwind" fn unpack<P: ProcessData<Image = [u8; N]>, const N: usize>(fra
 
 macro_rules! by_value {
     ($image:ident, $bytes:literal: $value:ident => $fields:expr) => {
-        impl Image<$bytes> for $image {
+        impl Values for $image {
             const ZERO: Self = $image::unpack([0; $bytes]);
-            const PACK: Pack<Self, $bytes> = pack;
-            const UNPACK: Unpack<Self, $bytes> = unpack;
 
             fn fields(&self) -> Vec<i64> {
                 let $value = self;
                 $fields
             }
+        }
+
+        impl Image<$bytes> for $image {
+            const PACK: Pack<Self, $bytes> = pack;
+            const UNPACK: Unpack<Self, $bytes> = unpack;
         }
     };
 }

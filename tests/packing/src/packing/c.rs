@@ -1,7 +1,7 @@
 //! C: functions that shift each field into its bytes. See `images.c`.
 
-use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::images::{images, values};
+use super::{Image, Pack, Unpack, Values};
 
 /// The functions whose names begin so.
 macro_rules! c {
@@ -14,10 +14,9 @@ macro_rules! c {
             $($field: $type,)*
         }
 
-        pub type $image = [$pdo; $count];
+        values!($image = [$pdo; $count]: $($field)*);
 
         impl Image<$bytes> for $image {
-            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = {
                 unsafe extern "C-unwind" {
                     #[link_name = concat!($pack, stringify!($image))]
@@ -32,10 +31,6 @@ macro_rules! c {
                 }
                 unpack
             };
-
-            fn fields(&self) -> Vec<i64> {
-                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }

@@ -3,7 +3,7 @@
 use deku::prelude::*;
 
 use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::{Image, Pack, Unpack, Values};
 
 macro_rules! structs {
     (
@@ -21,8 +21,15 @@ macro_rules! structs {
             pdos: [$pdo; $count],
         }
 
-        impl Image<$bytes> for $image {
+        impl Values for $image {
             const ZERO: Self = Self { pdos: [const { $pdo { $($field: 0,)* } }; $count] };
+
+            fn fields(&self) -> Vec<i64> {
+                self.pdos.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
+            }
+        }
+
+        impl Image<$bytes> for $image {
             const PACK: Pack<Self, $bytes> = {
                 extern "C-unwind" fn pack(image: &$image, frame: &mut [u8; $bytes]) {
                     image.to_slice(frame).unwrap();
@@ -35,10 +42,6 @@ macro_rules! structs {
                 }
                 unpack
             };
-
-            fn fields(&self) -> Vec<i64> {
-                self.pdos.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }

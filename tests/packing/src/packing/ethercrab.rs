@@ -2,8 +2,8 @@
 
 use ethercrab_wire::{EtherCrabWireRead as _, EtherCrabWireReadWrite, EtherCrabWireWrite as _};
 
-use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::images::{images, values};
+use super::{Image, Pack, Unpack, Values};
 
 macro_rules! ethercrab {
     (
@@ -19,10 +19,9 @@ macro_rules! ethercrab {
             )*
         }
 
-        pub type $image = [$pdo; $count];
+        values!($image = [$pdo; $count]: $($field)*);
 
         impl Image<$bytes> for $image {
-            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = {
                 extern "C-unwind" fn pack(pdos: &$image, frame: &mut [u8; $bytes]) {
                     for (chunk, pdo) in frame.chunks_exact_mut($size).zip(pdos) {
@@ -39,10 +38,6 @@ macro_rules! ethercrab {
                 }
                 unpack
             };
-
-            fn fields(&self) -> Vec<i64> {
-                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }

@@ -32,7 +32,22 @@ macro_rules! images {
     };
 }
 
-pub(super) use images;
+/// The values of an image in the PDOs of a way's own.
+macro_rules! values {
+    ($image:ident = [$pdo:ident; $count:literal]: $($field:ident)*) => {
+        pub type $image = [$pdo; $count];
+
+        impl Values for $image {
+            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
+
+            fn fields(&self) -> Vec<i64> {
+                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
+            }
+        }
+    };
+}
+
+pub(super) use {images, values};
 
 /// A frame whose bytes count up from 1. Of the digital inputs and outputs of the S700, bytes 24 to 27, only the lower
 /// half is used.

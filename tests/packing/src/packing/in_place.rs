@@ -2,8 +2,8 @@
 
 use devc_runtime::pdo::InPlace;
 
-use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::images::{images, values};
+use super::{Image, Pack, Unpack, Values};
 use crate::{c887, pmc_sc6, s700};
 
 macro_rules! in_place {
@@ -15,16 +15,11 @@ macro_rules! in_place {
             $($field: $type,)*
         }
 
-        pub type $image = [$pdo; $count];
+        values!($image = [$pdo; $count]: $($field)*);
 
         impl Image<$bytes> for $image {
-            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = pack;
             const UNPACK: Unpack<Self, $bytes> = unpack;
-
-            fn fields(&self) -> Vec<i64> {
-                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }

@@ -23,14 +23,18 @@ pub type Pack<V, const N: usize> = extern "C-unwind" fn(&V, &mut [u8; N]);
 /// Unpacks a frame into a value.
 pub type Unpack<V, const N: usize> = extern "C-unwind" fn(&[u8; N], &mut V);
 
-/// The values of an image of `N` bytes, and one way to convert them.
-pub trait Image<const N: usize>: Sized {
+/// The values of an image.
+pub trait Values: Sized {
     const ZERO: Self;
-    const PACK: Pack<Self, N>;
-    const UNPACK: Unpack<Self, N>;
 
     /// All fields, one PDO after the other.
     fn fields(&self) -> Vec<i64>;
+}
+
+/// One way to convert the values of an image of `N` bytes.
+pub trait Image<const N: usize>: Values {
+    const PACK: Pack<Self, N>;
+    const UNPACK: Unpack<Self, N>;
 }
 
 /// All images in each way.

@@ -1,20 +1,23 @@
 //! Nothing: what the call alone costs.
 
 use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::{Image, Pack, Unpack, Values};
 
 macro_rules! nothing {
     ($image:ident, $bytes:literal = $pdos:tt: $($fields:tt)*) => {
         pub struct $image;
 
-        impl Image<$bytes> for $image {
+        impl Values for $image {
             const ZERO: Self = Self;
-            const PACK: Pack<Self, $bytes> = pack;
-            const UNPACK: Unpack<Self, $bytes> = unpack;
 
             fn fields(&self) -> Vec<i64> {
                 Vec::new()
             }
+        }
+
+        impl Image<$bytes> for $image {
+            const PACK: Pack<Self, $bytes> = pack;
+            const UNPACK: Unpack<Self, $bytes> = unpack;
         }
     };
 }

@@ -1,7 +1,7 @@
 //! By hand, as is often seen: a slice, an offset that runs along, and an `unwrap` for each field.
 
-use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::images::{images, values};
+use super::{Image, Pack, Unpack, Values};
 
 macro_rules! unwrapped {
     (
@@ -12,10 +12,9 @@ macro_rules! unwrapped {
             $($field: $type,)*
         }
 
-        pub type $image = [$pdo; $count];
+        values!($image = [$pdo; $count]: $($field)*);
 
         impl Image<$bytes> for $image {
-            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = {
                 extern "C-unwind" fn pack(pdos: &$image, frame: &mut [u8; $bytes]) {
                     let (frame, mut offset) = (frame.as_mut_slice(), 0);
@@ -34,10 +33,6 @@ macro_rules! unwrapped {
                 }
                 unpack
             };
-
-            fn fields(&self) -> Vec<i64> {
-                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }

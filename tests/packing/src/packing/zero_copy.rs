@@ -2,8 +2,8 @@
 
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
-use super::images::images;
-use super::{Image, Pack, Unpack};
+use super::images::{images, values};
+use super::{Image, Pack, Unpack, Values};
 
 /// Numbers as bytes, by the names of the numbers.
 #[allow(non_camel_case_types)]
@@ -21,10 +21,9 @@ macro_rules! zero_copy {
             $($field: $type,)*
         }
 
-        pub type $image = [$pdo; $count];
+        values!($image = [$pdo; $count]: $($field)*);
 
         impl Image<$bytes> for $image {
-            const ZERO: Self = [const { $pdo { $($field: 0,)* } }; $count];
             const PACK: Pack<Self, $bytes> = {
                 extern "C-unwind" fn pack(pdos: &$image, frame: &mut [u8; $bytes]) {
                     let packed = <[packed::$pdo; $count]>::mut_from_bytes(frame).unwrap();
@@ -43,10 +42,6 @@ macro_rules! zero_copy {
                 }
                 unpack
             };
-
-            fn fields(&self) -> Vec<i64> {
-                self.iter().flat_map(|pdo| [$(pdo.$field.into()),*]).collect()
-            }
         }
     };
 }
