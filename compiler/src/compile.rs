@@ -96,13 +96,13 @@ pub(crate) fn resolved(
     }
     enter(Stage::Decode);
     let id = id(loader, path);
-    let (shared, members) = raw::read(&document, &id, diagnostics);
+    let members = raw::read(&document, &id, sources, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
     let levels = members.first().map(|device| Levels::described(&device.lints)).unwrap_or_default();
     enter(Stage::Resolve);
-    let family = resolve::resolve(&id, shared, members, sources, diagnostics)?;
+    let family = resolve::resolve(&id, members, diagnostics)?;
     Some((family, levels))
 }
 

@@ -301,16 +301,16 @@ pub mod objects {
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C00, 0);
 
         /// `0x1C00:01` SubIndex 001. UINT8, ro, default 1.
-        pub const ENTRY_1: Entry<C887, u8, ReadOnly> = Entry::new(0x1C00, 1);
+        pub const ENTRY_1: Entry<C887, Entry1, ReadOnly> = Entry::new(0x1C00, 1);
 
         /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
-        pub const ENTRY_2: Entry<C887, u8, ReadOnly> = Entry::new(0x1C00, 2);
+        pub const ENTRY_2: Entry<C887, Entry2, ReadOnly> = Entry::new(0x1C00, 2);
 
         /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
-        pub const ENTRY_3: Entry<C887, u8, ReadOnly> = Entry::new(0x1C00, 3);
+        pub const ENTRY_3: Entry<C887, Entry3, ReadOnly> = Entry::new(0x1C00, 3);
 
         /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
-        pub const ENTRY_4: Entry<C887, u8, ReadOnly> = Entry::new(0x1C00, 4);
+        pub const ENTRY_4: Entry<C887, Entry4, ReadOnly> = Entry::new(0x1C00, 4);
     }
 
     /// `0x1C10` Sync Manager 0 PDO assignment.
@@ -1343,6 +1343,230 @@ impl ErrorRegister {
 }
 
 ::devc_runtime::value!(ErrorRegister as u8);
+
+/// `0x1C00:01` SubIndex 001.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Entry1(pub u8);
+
+impl Entry1 {
+    /// Not used.
+    pub const NOT_USED: Self = Self(0);
+
+    /// Mailbox receive.
+    ///
+    /// From the master to the device.
+    pub const MAILBOX_RECEIVE: Self = Self(1);
+
+    /// Mailbox send.
+    ///
+    /// From the device to the master.
+    pub const MAILBOX_SEND: Self = Self(2);
+
+    /// Process data output.
+    ///
+    /// From the master to the device.
+    pub const PROCESS_DATA_OUTPUT: Self = Self(3);
+
+    /// Process data input.
+    ///
+    /// From the device to the master.
+    pub const PROCESS_DATA_INPUT: Self = Self(4);
+
+    /// What the value stands for, if the description says so.
+    pub const fn name(self) -> Option<&'static str> {
+        match self.0 {
+            0 => Some("not used"),
+            1 => Some("mailbox receive"),
+            2 => Some("mailbox send"),
+            3 => Some("process data output"),
+            4 => Some("process data input"),
+            _ => None,
+        }
+    }
+
+    /// What the description says of the value; empty if nothing.
+    pub const fn text(self) -> &'static str {
+        match self.0 {
+            1 => "From the master to the device.",
+            2 => "From the device to the master.",
+            3 => "From the master to the device.",
+            4 => "From the device to the master.",
+            _ => "",
+        }
+    }
+}
+
+::devc_runtime::named!(Entry1, "{}");
+
+::devc_runtime::value!(Entry1 as u8);
+
+/// `0x1C00:02` SubIndex 002.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Entry2(pub u8);
+
+impl Entry2 {
+    /// Not used.
+    pub const NOT_USED: Self = Self(0);
+
+    /// Mailbox receive.
+    ///
+    /// From the master to the device.
+    pub const MAILBOX_RECEIVE: Self = Self(1);
+
+    /// Mailbox send.
+    ///
+    /// From the device to the master.
+    pub const MAILBOX_SEND: Self = Self(2);
+
+    /// Process data output.
+    ///
+    /// From the master to the device.
+    pub const PROCESS_DATA_OUTPUT: Self = Self(3);
+
+    /// Process data input.
+    ///
+    /// From the device to the master.
+    pub const PROCESS_DATA_INPUT: Self = Self(4);
+
+    /// What the value stands for, if the description says so.
+    pub const fn name(self) -> Option<&'static str> {
+        match self.0 {
+            0 => Some("not used"),
+            1 => Some("mailbox receive"),
+            2 => Some("mailbox send"),
+            3 => Some("process data output"),
+            4 => Some("process data input"),
+            _ => None,
+        }
+    }
+
+    /// What the description says of the value; empty if nothing.
+    pub const fn text(self) -> &'static str {
+        match self.0 {
+            1 => "From the master to the device.",
+            2 => "From the device to the master.",
+            3 => "From the master to the device.",
+            4 => "From the device to the master.",
+            _ => "",
+        }
+    }
+}
+
+::devc_runtime::named!(Entry2, "{}");
+
+::devc_runtime::value!(Entry2 as u8);
+
+/// `0x1C00:03` SubIndex 003.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Entry3(pub u8);
+
+impl Entry3 {
+    /// Not used.
+    pub const NOT_USED: Self = Self(0);
+
+    /// Mailbox receive.
+    ///
+    /// From the master to the device.
+    pub const MAILBOX_RECEIVE: Self = Self(1);
+
+    /// Mailbox send.
+    ///
+    /// From the device to the master.
+    pub const MAILBOX_SEND: Self = Self(2);
+
+    /// Process data output.
+    ///
+    /// From the master to the device.
+    pub const PROCESS_DATA_OUTPUT: Self = Self(3);
+
+    /// Process data input.
+    ///
+    /// From the device to the master.
+    pub const PROCESS_DATA_INPUT: Self = Self(4);
+
+    /// What the value stands for, if the description says so.
+    pub const fn name(self) -> Option<&'static str> {
+        match self.0 {
+            0 => Some("not used"),
+            1 => Some("mailbox receive"),
+            2 => Some("mailbox send"),
+            3 => Some("process data output"),
+            4 => Some("process data input"),
+            _ => None,
+        }
+    }
+
+    /// What the description says of the value; empty if nothing.
+    pub const fn text(self) -> &'static str {
+        match self.0 {
+            1 => "From the master to the device.",
+            2 => "From the device to the master.",
+            3 => "From the master to the device.",
+            4 => "From the device to the master.",
+            _ => "",
+        }
+    }
+}
+
+::devc_runtime::named!(Entry3, "{}");
+
+::devc_runtime::value!(Entry3 as u8);
+
+/// `0x1C00:04` SubIndex 004.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Entry4(pub u8);
+
+impl Entry4 {
+    /// Not used.
+    pub const NOT_USED: Self = Self(0);
+
+    /// Mailbox receive.
+    ///
+    /// From the master to the device.
+    pub const MAILBOX_RECEIVE: Self = Self(1);
+
+    /// Mailbox send.
+    ///
+    /// From the device to the master.
+    pub const MAILBOX_SEND: Self = Self(2);
+
+    /// Process data output.
+    ///
+    /// From the master to the device.
+    pub const PROCESS_DATA_OUTPUT: Self = Self(3);
+
+    /// Process data input.
+    ///
+    /// From the device to the master.
+    pub const PROCESS_DATA_INPUT: Self = Self(4);
+
+    /// What the value stands for, if the description says so.
+    pub const fn name(self) -> Option<&'static str> {
+        match self.0 {
+            0 => Some("not used"),
+            1 => Some("mailbox receive"),
+            2 => Some("mailbox send"),
+            3 => Some("process data output"),
+            4 => Some("process data input"),
+            _ => None,
+        }
+    }
+
+    /// What the description says of the value; empty if nothing.
+    pub const fn text(self) -> &'static str {
+        match self.0 {
+            1 => "From the master to the device.",
+            2 => "From the device to the master.",
+            3 => "From the master to the device.",
+            4 => "From the device to the master.",
+            _ => "",
+        }
+    }
+}
+
+::devc_runtime::named!(Entry4, "{}");
+
+::devc_runtime::value!(Entry4 as u8);
 
 /// `0x1C32:01` Synchronization type.
 ///
@@ -2895,6 +3119,8 @@ pub mod dictionary {
         pub manufacturer_software_version: &'static str,
         /// `0x1018` Identity object.
         pub identity_object: IdentityObject,
+        /// `0x1C00` Sync Manager communication types.
+        pub sync_manager_communication_type: SyncManagerCommunicationType,
         /// `0x1C12` Sync Manager 2 PDO assignment.
         pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
         /// `0x1C13` Sync Manager 3 PDO assignment.
@@ -2983,6 +3209,12 @@ pub mod dictionary {
                 product_code: 3,
                 revision_number: 0,
                 serial_number: 0x1234_5678,
+            },
+            sync_manager_communication_type: SyncManagerCommunicationType {
+                entry_1: Entry1(1),
+                entry_2: Entry2(2),
+                entry_3: Entry3(3),
+                entry_4: Entry4(4),
             },
             sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
                 highest_subindex_supported: 6,
@@ -3148,6 +3380,19 @@ pub mod dictionary {
         pub serial_number: u32,
     }
 
+    /// `0x1C00` Sync Manager communication types.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct SyncManagerCommunicationType {
+        /// `0x1C00:01` SubIndex 001. UINT8, ro, default 1.
+        pub entry_1: Entry1,
+        /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
+        pub entry_2: Entry2,
+        /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
+        pub entry_3: Entry3,
+        /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
+        pub entry_4: Entry4,
+    }
+
     /// `0x1C12` Sync Manager 2 PDO assignment.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SyncManager2PdoAssignment {
@@ -3295,19 +3540,20 @@ pub mod dictionary {
                 3 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                 4 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                 5 => self.identity_object.slot(place.item),
-                6 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                7 => self.sync_manager_3_pdo_assignment.slot(place.item),
-                8 => self.sm_output_parameter.slot(place.item),
-                9 => self.sm_input_parameter.slot(place.item),
-                10 => self.work_coordinate_system.get_mut(item).map(sdo::Slot::I32),
-                11 => self.tool_coordinate_system.get_mut(item).map(sdo::Slot::I32),
-                12 => self.motor_homing_method.get_mut(item).map(sdo::Slot::I32),
-                13 => self.software_version.get_mut(item).map(sdo::Slot::I32),
-                14 => self.buffered_parameters.slot(place.item),
-                15 => self.direction_for_travelrange.get_mut(item).map(sdo::Slot::I32),
-                16 => self.available_travelrange.get_mut(item).map(sdo::Slot::I32),
-                17 => self.debug_information.slot(place.item),
-                18 => self.maximum_velocity_and_acceleration.get_mut(item).map(sdo::Slot::I32),
+                6 => self.sync_manager_communication_type.slot(place.item),
+                7 => self.sync_manager_2_pdo_assignment.slot(place.item),
+                8 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                9 => self.sm_output_parameter.slot(place.item),
+                10 => self.sm_input_parameter.slot(place.item),
+                11 => self.work_coordinate_system.get_mut(item).map(sdo::Slot::I32),
+                12 => self.tool_coordinate_system.get_mut(item).map(sdo::Slot::I32),
+                13 => self.motor_homing_method.get_mut(item).map(sdo::Slot::I32),
+                14 => self.software_version.get_mut(item).map(sdo::Slot::I32),
+                15 => self.buffered_parameters.slot(place.item),
+                16 => self.direction_for_travelrange.get_mut(item).map(sdo::Slot::I32),
+                17 => self.available_travelrange.get_mut(item).map(sdo::Slot::I32),
+                18 => self.debug_information.slot(place.item),
+                19 => self.maximum_velocity_and_acceleration.get_mut(item).map(sdo::Slot::I32),
                 _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
             }
         }
@@ -3317,23 +3563,23 @@ pub mod dictionary {
         fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
             let item = usize::from(place.item);
             match place.field {
-                19 => Some(sdo::Slot::U16(&mut self.error_code.0)),
-                20 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                21 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                22 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                23 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                24 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                25 => Some(sdo::Slot::I32(&mut self.target_position)),
-                26 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                27 => self.position_factor.get_mut(item).map(sdo::Slot::I32),
-                28 => Some(sdo::Slot::I8(&mut self.homing_method)),
-                29 => Some(sdo::Slot::I32(&mut self.position_offset)),
-                30 => self.interpolation_time_period.slot(place.item),
-                31 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                32 => Some(sdo::Slot::I32(&mut self.digital_inputs)),
-                33 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                34 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
-                35 => Some(sdo::Slot::U32(&mut self.device_profile_number)),
+                20 => Some(sdo::Slot::U16(&mut self.error_code.0)),
+                21 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                22 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                26 => Some(sdo::Slot::I32(&mut self.target_position)),
+                27 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                28 => self.position_factor.get_mut(item).map(sdo::Slot::I32),
+                29 => Some(sdo::Slot::I8(&mut self.homing_method)),
+                30 => Some(sdo::Slot::I32(&mut self.position_offset)),
+                31 => self.interpolation_time_period.slot(place.item),
+                32 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                33 => Some(sdo::Slot::I32(&mut self.digital_inputs)),
+                34 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                35 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
+                36 => Some(sdo::Slot::U32(&mut self.device_profile_number)),
                 _ => None,
             }
         }
@@ -3346,6 +3592,18 @@ pub mod dictionary {
                 1 => Some(sdo::Slot::U32(&mut self.product_code)),
                 2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                 3 => Some(sdo::Slot::U32(&mut self.serial_number)),
+                _ => None,
+            }
+        }
+    }
+
+    impl SyncManagerCommunicationType {
+        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+            match item {
+                0 => Some(sdo::Slot::U8(&mut self.entry_1.0)),
+                1 => Some(sdo::Slot::U8(&mut self.entry_2.0)),
+                2 => Some(sdo::Slot::U8(&mut self.entry_3.0)),
+                3 => Some(sdo::Slot::U8(&mut self.entry_4.0)),
                 _ => None,
             }
         }
@@ -3496,7 +3754,7 @@ pub mod dictionary {
         ],
     );
 
-    const CONSTANTS: [u8; 394] = [
+    const CONSTANTS: [u8; 389] = [
         0x04, 0x03, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x05, 0x10, 0x00,
         0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00, 0x81, 0x60, 0x20, 0x00, 0x83,
         0x60, 0x03, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x05, 0x10, 0x00,
@@ -3519,8 +3777,7 @@ pub mod dictionary {
         0x64, 0x78, 0x04, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00, 0x64, 0x80, 0x20, 0x00,
         0xF4, 0x80, 0x03, 0x10, 0x00, 0x41, 0x80, 0x08, 0x00, 0x61, 0x80, 0x20, 0x00, 0x64, 0x80, 0x04, 0x10,
         0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88, 0x20, 0x00, 0xF4, 0x88, 0x03, 0x10,
-        0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88, 0x04, 0x01, 0x02, 0x03, 0x04, 0x00,
-        0x20, 0x06, 0x02,
+        0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88, 0x00, 0x20, 0x06, 0x02,
     ];
 
     const fn object(
@@ -3722,17 +3979,19 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_1C,
         objects: &[
-            constant(
-                ObjectCode::Array,
-                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                385,
-            ),
-            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 390),
-            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 390),
             object(
                 ObjectCode::Array,
                 0,
                 6,
+                &const { EntryInfo::list::<5>(0, DataType::UNSIGNED8, 8, RO) },
+                0,
+            ),
+            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 385),
+            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 385),
+            object(
+                ObjectCode::Array,
+                0,
+                7,
                 &[
                     entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                     entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
@@ -3748,7 +4007,7 @@ pub mod dictionary {
             object(
                 ObjectCode::Array,
                 0,
-                7,
+                8,
                 &[
                     entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
                     entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
@@ -3763,7 +4022,7 @@ pub mod dictionary {
             object(
                 ObjectCode::Record,
                 0,
-                8,
+                9,
                 &[
                     entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                     entry(1, 0, DataType::UNSIGNED16, 16, RW),
@@ -3780,12 +4039,12 @@ pub mod dictionary {
                     entry(12, 11, DataType::UNSIGNED16, 16, RO),
                     entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                 ],
-                391,
+                386,
             ),
             object(
                 ObjectCode::Record,
                 0,
-                9,
+                10,
                 &[
                     entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                     entry(1, 0, DataType::UNSIGNED16, 16, RW),
@@ -3802,7 +4061,7 @@ pub mod dictionary {
                     entry(12, 11, DataType::UNSIGNED16, 16, RO),
                     entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                 ],
-                391,
+                386,
             ),
         ],
     };
@@ -3817,35 +4076,35 @@ pub mod dictionary {
             object(
                 ObjectCode::Array,
                 0,
-                10,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                392,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
                 11,
                 &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                392,
+                387,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 12,
                 &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                392,
+                387,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 13,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
+                387,
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                14,
                 &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
                 0,
             ),
             object(
                 ObjectCode::Array,
                 0,
-                14,
+                15,
                 &[
                     entry(0, 0, DataType::INTEGER32, 32, RO),
                     entry(1, 1, DataType::INTEGER32, 32, RW),
@@ -3858,28 +4117,28 @@ pub mod dictionary {
             object(
                 ObjectCode::Array,
                 0,
-                15,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                392,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
                 16,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RO) },
-                392,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
+                387,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 17,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RO) },
-                393,
+                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RO) },
+                387,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 18,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RO) },
+                388,
+            ),
+            object(
+                ObjectCode::Array,
+                0,
+                19,
                 &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
                 0,
             ),
@@ -3896,43 +4155,43 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_60,
         objects: &[
-            object(ObjectCode::Variable, 0, 19, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-            object(
-                ObjectCode::Array,
-                0,
-                26,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                393,
-            ),
+            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             object(
                 ObjectCode::Array,
                 0,
                 27,
                 &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                393,
+                388,
             ),
-            object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+            object(
+                ObjectCode::Array,
+                0,
+                28,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
+                388,
+            ),
+            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             object(
                 ObjectCode::Record,
                 0,
-                30,
+                31,
                 &[
                     entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                     entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
                     entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
                 ],
-                393,
+                388,
             ),
-            object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
             object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
         ],
     };
 
@@ -3942,7 +4201,7 @@ pub mod dictionary {
         first: 0x02,
         axis: 0,
         slots: &SLOTS_65,
-        objects: &[object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+        objects: &[object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
     };
 
     const SLOTS_67: [u8; 1] = positions(0xFF, &[0xFF]);
@@ -3951,7 +4210,7 @@ pub mod dictionary {
         first: 0xFF,
         axis: 0,
         slots: &SLOTS_67,
-        objects: &[object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+        objects: &[object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
     };
 
     /// The name of every object and entry, for a firmware that tells what is in its dictionary.

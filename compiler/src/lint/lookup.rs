@@ -1,12 +1,11 @@
 //! What rules ask of a device again and again.
 
-use crate::model::{Address, Device, Entry, Index, Mapped, Object, Pdo, Provenance, Value};
-use crate::source::Location;
+use crate::model::{Address, Device, Entry, Index, Mapped, Object, Pdo, Place, Value};
 
 /// The objects that a description or a profile states; those that devc makes follow from what is judged
 /// elsewhere.
 pub(super) fn objects(device: &Device) -> impl Iterator<Item = &Object> {
-    device.objects.iter().filter(|object| object.provenance != Provenance::Derived)
+    device.objects.iter().filter(|object| !object.derived)
 }
 
 /// The entries of these objects, with the object.
@@ -29,18 +28,15 @@ pub(super) fn on_axes(device: &Device, index: u16) -> impl Iterator<Item = &Obje
     objects(device).filter(move |object| first_index(device, object) == Index(index))
 }
 
-/// The name of an entry for a person: that of the object alone if it has no other entry.
-pub(super) fn name(object: &Object, entry: &Entry) -> String {
-    if object.entries.len() == 1 { object.index.to_string() } else { entry.address.to_string() }
+/// The place of an entry: that of the object alone if it has no other entry.
+pub(super) fn name(object: &Object, entry: &Entry) -> Place {
+    if object.entries.len() == 1 { object.index.into() } else { entry.address.into() }
 }
 
-/// Where a key of an entry was set: in its own table, or for all entries in the object's.
-pub(super) fn place(object: &Object, entry: &Entry, key: &str) -> Location {
-    if entry.origin.has(key) || !object.origin.has(key) {
-        entry.origin.value(key)
-    } else {
-        object.origin.value(key)
-    }
+/// Whether a key of an entry was set for all entries of its object.
+pub(super) fn is_shared(object: &Object, entry: &Entry, key: &str) -> bool {
+    let (own, all) = (entry.origin.node(key), object.origin.node(key));
+    object.entries.len() > 1 && own.zip(all).is_some_and(|(own, all)| own.at == all.at)
 }
 
 /// What each PDO carries, with the address of its place in the mapping object.

@@ -1,12 +1,12 @@
 //! The texts that travel to other tools.
 
 use super::lookup;
-use crate::model::Device;
+use crate::model::{Device, Place, Section};
 use crate::source::Location;
 
 /// A text, what it belongs to by the name that errata use, and where it stands.
 pub(super) struct Text<'d> {
-    pub(super) at: String,
+    pub(super) at: Place,
     pub(super) place: Location,
     pub(super) text: &'d str,
 }
@@ -19,26 +19,25 @@ pub(super) fn names(device: &Device) -> impl Iterator<Item = Text<'_>> {
         ("group", &device.group),
         ("vendor", &device.vendor),
     ];
-    let text = |at: String, place, text| Text { at, place, text };
+    let text = |at: Place, place, text| Text { at, place, text };
     // What is made from another name has its faults.
     let written = head.into_iter().filter(|(key, _)| device.origin.has(key));
     let head = written
-        .map(move |(key, name)| text(format!("device.{key}"), device.origin.value(key), name.as_str()));
+        .map(move |(key, name)| text(Section::Device.at(key), device.origin.value(key), name.as_str()));
     let pdos = device.pdos.iter();
-    let pdos = pdos.map(move |pdo| text(pdo.index.to_string(), pdo.origin.value("name"), &pdo.name));
+    let pdos = pdos.map(move |pdo| text(pdo.index.into(), pdo.origin.value("name"), &pdo.name));
     let modes = device.sync_modes.iter();
-    let modes = modes.map(move |it| text(format!("sync-modes.{}", it.id), it.origin.value("name"), &it.name));
+    let modes = modes.map(move |it| text(Section::SyncModes.at(&it.id), it.origin.value("name"), &it.name));
     head.chain(pdos).chain(modes)
 }
 
 /// The names in the dictionary.
 pub(super) fn dictionary(device: &Device) -> impl Iterator<Item = Text<'_>> {
     lookup::objects(device).flat_map(|object| {
-        let own =
-            Text { at: object.index.to_string(), place: object.origin.value("name"), text: &object.name };
+        let own = Text { at: object.index.into(), place: object.origin.value("name"), text: &object.name };
         let several = object.entries.iter().filter(|_| object.entries.len() > 1);
         let entries = several.map(|entry| Text {
-            at: entry.address.to_string(),
+            at: entry.address.into(),
             place: entry.origin.value("name"),
             text: &entry.name,
         });

@@ -1,7 +1,7 @@
 //! Axes, and how they share the dictionary.
 
+use super::table::table;
 use super::{Index, model};
-use crate::source::Origin;
 
 model! {
     /// An axis of a device.
@@ -23,19 +23,20 @@ model! {
         /// The distance from an axis to the next.
         pub by: u16,
     }
+}
 
-    /// A title for a range of the dictionary.
-    pub struct Area {
+table! {
+    /// `[areas."<index>..=<index>"]`: a title for a range of the dictionary.
+    pub struct Area by first to last: "a range of indices such as \"0x2000..=0x5FFF\"" {
         /// The first index.
+        #[serde(skip_deserializing)]
         pub first: Index,
         /// The last index.
+        #[serde(skip_deserializing)]
         pub last: Index,
         /// The title.
         pub name: String,
         /// What the objects in it are for.
         pub about: Option<String>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
     }
 }

@@ -1,6 +1,6 @@
 //! Choices of process data and mode, with the start-up list that follows from them.
 
-use super::{Address, Index, Pdo, Source, model};
+use super::{Address, Duration, Index, Pdo, Source, model};
 use crate::source::Origin;
 
 model! {
@@ -18,8 +18,9 @@ model! {
         pub mapping: Vec<Pdo>,
         /// The mode of operation.
         pub mode: Option<i16>,
-        /// The cycle time in nanoseconds.
-        pub cycle_ns: Option<u64>,
+        /// The cycle time.
+        #[cfg_attr(feature = "json", serde(rename = "cycle_ns"))]
+        pub cycle_time: Option<Duration>,
         /// The writes that bring it about, in order.
         pub startup: Vec<SdoWrite>,
         /// What else is to be said.
@@ -27,7 +28,7 @@ model! {
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
 

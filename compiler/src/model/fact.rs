@@ -1,12 +1,14 @@
 //! How sure a statement is.
 
-use super::model;
-use crate::source::Origin;
+use super::table::{part, table};
+use super::{Place, Said, model};
+use crate::source::{Location, Origin};
 
-model! {
-    /// A document that facts are taken from.
-    pub struct Document {
+table! {
+    /// `[documents.<id>]`: a document that facts are taken from.
+    pub struct Document by id: "a word" {
         /// The word for it.
+        #[serde(skip_deserializing)]
         pub id: String,
         /// Its title.
         pub title: String,
@@ -20,6 +22,49 @@ model! {
         pub about: Option<String>,
     }
 
+    /// `[[errata]]`: the answer to one finding of one rule.
+    pub struct Erratum {
+        /// The rule that found it.
+        pub rule: String,
+        /// What it was found at, as the message names it.
+        pub at: Place,
+        /// What the source says there, as the description has it: the value, or keys with their values.
+        pub says: Said,
+        /// What is so: as `says`; outputs use it. Left out if nobody knows: outputs then mark what is said.
+        pub holds: Option<Said>,
+        /// Whether the device is as the source says, unlike the profile or other devices.
+        #[serde(default)]
+        pub stands: bool,
+        /// How one knows.
+        pub why: String,
+    }
+
+    /// `[[remarks]]`: a weakness of the sources that no rule can see.
+    pub struct Remark {
+        /// What it is about, as an erratum would name it.
+        pub at: Place,
+        /// Whether the sources contradict each other, say nothing, or can be read in two ways.
+        pub kind: RemarkKind,
+        /// What there is to know.
+        pub text: String,
+    }
+}
+
+part! {
+    /// What is weak.
+    #[derive(Copy, Eq, Default)]
+    pub enum RemarkKind {
+        /// Two places disagree.
+        Contradiction,
+        /// No place says it.
+        Silence,
+        /// A place can be read in two ways, or is hard to believe.
+        #[default]
+        Doubt,
+    }
+}
+
+model! {
     /// A place in a document.
     #[derive(Eq)]
     pub struct Source {
@@ -31,8 +76,8 @@ model! {
 
     /// Something that no source states.
     pub struct Assumption {
-        /// What it is about, such as `identity.revision`.
-        pub at: String,
+        /// What it is about.
+        pub at: Place,
         /// What is taken to be so, if it is a single value.
         pub value: Option<String>,
         /// Why.
@@ -41,47 +86,17 @@ model! {
         #[cfg_attr(feature = "json", serde(skip))]
         pub origin: Origin,
     }
+}
 
-    /// The answer to one finding of one rule.
-    pub struct Erratum {
-        /// The rule.
-        pub rule: String,
-        /// What it was found at.
-        pub at: String,
-        /// What the manual says.
-        pub says: String,
-        /// What is so.
-        pub holds: String,
-        /// How one knows.
-        pub why: String,
-        /// Where the manual says it.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
-    }
-
-    /// A weakness of the sources that no rule can see.
-    pub struct Remark {
-        /// What it is about.
-        pub at: String,
-        /// What is weak.
-        pub kind: RemarkKind,
-        /// What there is to know.
-        pub text: String,
-        /// Where the weakness is.
-        pub source: Option<Source>,
-    }
-
-    /// What is weak.
-    #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
-    pub enum RemarkKind {
-        /// Two places disagree.
-        Contradiction,
-        /// No place says it.
-        Silence,
-        /// A place can be read in two ways, or is hard to believe.
-        Doubt,
-    }
+/// A table of a section as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Written {
+    /// What it is about.
+    pub place: Place,
+    /// Whether it says where its facts are from.
+    pub sourced: bool,
+    /// Whether all of it is assumed.
+    pub assumed: bool,
+    /// Where its key stands.
+    pub at: Location,
 }

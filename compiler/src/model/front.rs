@@ -1,11 +1,14 @@
 //! What a person sees and does.
 
+use super::table::{part, table};
 use super::{Address, Source, Value, model};
+use crate::source::Origin;
 
-model! {
-    /// A light.
-    pub struct Led {
+table! {
+    /// `[leds.<id>]`: a light.
+    pub struct Led by id: "a word" {
         /// The word for it.
+        #[serde(skip_deserializing)]
         pub id: String,
         /// What is printed beside it.
         pub name: String,
@@ -14,22 +17,14 @@ model! {
         /// What it shows.
         pub about: Option<String>,
         /// What its patterns mean.
+        #[serde(default)]
         pub patterns: Vec<LedPattern>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
 
-    /// What a light does, and what it means by that.
-    pub struct LedPattern {
-        /// What it does.
-        pub shows: String,
-        /// What that means.
-        pub means: String,
-    }
-
-    /// A socket.
-    pub struct Connector {
+    /// `[connectors.<id>]`: a socket.
+    pub struct Connector by id: "a word" {
         /// The word for it.
+        #[serde(skip_deserializing)]
         pub id: String,
         /// What is printed beside it.
         pub name: String,
@@ -37,24 +32,46 @@ model! {
         pub kind: Option<String>,
         /// What goes in.
         pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
 
-    /// Something to be set in the master.
+    /// `[[master-settings]]`: something to be set in the master.
     pub struct MasterSetting {
         /// What.
         pub name: String,
         /// To which value.
         pub value: String,
         /// Whether once for each axis.
+        #[serde(default)]
         pub per_axis: bool,
         /// Why.
         pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
 
+    /// `[limits.<id>]`: a figure that the device keeps to or asks for.
+    pub struct Limit by id: "a word" {
+        /// The word for it.
+        #[serde(skip_deserializing)]
+        pub id: String,
+        /// What is limited.
+        pub name: String,
+        /// The figure with its unit.
+        pub value: String,
+        /// What happens beyond it.
+        pub about: Option<String>,
+    }
+}
+
+part! {
+    /// What a light does, and what it means by that.
+    pub struct LedPattern {
+        /// What it does: `off`, `on`, `blinking`, `single flash` ...
+        pub shows: String,
+        /// What that means.
+        pub means: String,
+    }
+}
+
+model! {
     /// Things to do in order.
     pub struct Procedure {
         /// The word for it.
@@ -67,6 +84,9 @@ model! {
         pub steps: Vec<Step>,
         /// Where its facts are from.
         pub source: Option<Source>,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
+        pub origin: Origin,
     }
 
     /// A step of a procedure.
@@ -77,19 +97,5 @@ model! {
         pub address: Option<Address>,
         /// The value to write.
         pub write: Option<Value>,
-    }
-
-    /// A figure that the device keeps to or asks for.
-    pub struct Limit {
-        /// The word for it.
-        pub id: String,
-        /// What is limited.
-        pub name: String,
-        /// The figure with its unit.
-        pub value: String,
-        /// What happens beyond it.
-        pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
 }

@@ -10,16 +10,29 @@ mod control;
 mod data_type;
 mod error;
 mod fact;
+mod field;
 mod front;
 mod homing;
+pub(crate) mod ids;
 mod index;
+mod keyed;
+mod literal;
+mod meaning;
 mod mode;
 mod object;
 mod parameter;
 mod pattern;
 mod pdo;
+mod place;
+mod provenance;
 mod register;
+mod said;
+#[cfg(feature = "schema")]
+pub(crate) mod schema;
+mod section;
+pub(crate) mod shorthand;
 mod state;
+pub(crate) mod table;
 mod timing;
 mod transport;
 mod unit;
@@ -31,26 +44,37 @@ pub use configuration::{Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
 pub use error::{ErrorCode, VendorCode};
-pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source};
+pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source, Written};
+pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
-pub use mode::{HomingBits, Mode, ModeBits, ModeChange, MotionCommand, StopOption};
-pub use object::{Access, Category, Entry, Kind, Mappable, Object, Provenance, Trigger};
-pub use parameter::{AxisGroup, Coordinates, Group, Parameter, ValueRange};
+pub use literal::{Duration, Fraction, Hex, Literal, OneOrMore};
+pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
+pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
+pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger};
+pub(crate) use parameter::coordinate;
+pub use parameter::{AxisGroup, Coordinates, Group, Parameter};
 pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Pdo};
+pub use place::Place;
+pub use provenance::{Provenance, facts, provenance};
 pub use register::{AlStatusCode, Register, RegisterAccess, Telegram};
+pub use said::Said;
+pub(crate) use section::for_each_section;
+pub use section::{Section, Shape};
 pub use state::{
     Answer, Command, CommunicationState, CommunicationTransition, Event, Scope, State, Transition,
 };
+pub use table::Table;
 pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
-pub use transport::{Eeprom, Mailbox, Role, SyncManager};
+pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
 pub use value::Value;
-pub use word::{Field, Meaning, Word};
+pub use word::Word;
 
 use crate::source::Origin;
+use table::table;
 
 /// Declares the derives that every part of the model has.
 macro_rules! model {
@@ -186,27 +210,41 @@ model! {
         pub remarks: Vec<Remark>,
         /// Answers to findings of rules.
         pub errata: Vec<Erratum>,
-        /// Where `[device]` stands.
+        /// Every table of the description.
         #[cfg_attr(feature = "json", serde(skip))]
+        pub written: Vec<Written>,
+        /// Where `[device]` stands.
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
+}
 
-    /// What 0x1018 and the EEPROM say.
+table! {
+    /// `[identity]`: what the identity object 0x1018 and the EEPROM say.
     pub struct Identity {
-        /// The vendor id.
+        /// The vendor id that the ETG assigned.
         pub vendor_id: u32,
         /// The product code.
         pub product_code: u32,
         /// The revision number.
         pub revision: u32,
-        /// The serial number of a device without one of its own.
+        /// The serial number of a device that has none of its own; 0 if absent.
+        #[serde(default)]
         pub serial: u32,
-        /// Where these facts are from.
-        pub source: Option<Source>,
-        /// Where `[identity]` stands.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
     }
+
+    /// `[family]`: what the members of a family have in common.
+    pub struct Shared {
+        /// The name of the family.
+        pub name: String,
+        /// What its members share, and what tells them apart.
+        pub about: Option<String>,
+    }
+}
+
+/// What a key says that is left out.
+pub(crate) fn yes() -> bool {
+    true
 }
 
 impl Device {

@@ -1,6 +1,7 @@
 //! Modes of operation.
 
-use super::{Address, Field, Source, model};
+use super::table::{part, table};
+use super::{Address, Fields, Source, model};
 use crate::source::Origin;
 
 model! {
@@ -23,9 +24,9 @@ model! {
         /// The entries that it uses, on the first axis.
         pub objects: Vec<Address>,
         /// What it makes of bits of the controlword.
-        pub control_bits: ModeBits,
+        pub control_bits: Fields,
         /// What it makes of bits of the statusword.
-        pub status_bits: ModeBits,
+        pub status_bits: Fields,
         /// Which bits a reference run is started and followed by.
         pub homing_bits: Option<HomingBits>,
         /// What must be so before it is chosen.
@@ -37,20 +38,14 @@ model! {
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
+}
 
-    /// Bits of a word with the meaning that a mode gives them, lowest first.
-    #[derive(Default)]
-    #[cfg_attr(feature = "json", serde(transparent))]
-    pub struct ModeBits {
-        /// The bits.
-        pub fields: Vec<Field>,
-    }
-
+part! {
     /// The bits of a reference run, by number.
-    #[derive(Copy, Eq)]
+    #[derive(Copy, Eq, Default)]
     pub struct HomingBits {
         /// Of the controlword: its rising edge starts the run.
         pub start: u8,
@@ -75,14 +70,19 @@ model! {
         /// What is controlled.
         pub control: Option<String>,
         /// The motion variables it needs.
+        #[serde(default)]
         pub variables: Vec<String>,
     }
+}
 
-    /// A change of mode that the device knows.
+table! {
+    /// `[[mode-changes]]`: a change of mode that the device knows.
     pub struct ModeChange {
-        /// The modes before; any if empty.
+        /// The modes before, by code; any if absent.
+        #[serde(default)]
         pub from: Vec<i16>,
-        /// The modes after; any if empty.
+        /// The modes after, by code; any if absent.
+        #[serde(default)]
         pub to: Vec<i16>,
         /// When it has worked.
         pub done_when: Option<String>,
@@ -90,18 +90,14 @@ model! {
         pub fault_when: Option<String>,
         /// What else is to be said.
         pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
     }
 
-    /// What stops the drive, and how.
+    /// `[[stop-options]]`: what stops the drive, and how.
     pub struct StopOption {
         /// What happens to the drive.
         pub action: String,
-        /// The transitions it goes through.
+        /// The transitions it goes through, by number.
+        #[serde(default)]
         pub transitions: Vec<u8>,
         /// What the drive does.
         pub reaction: String,
@@ -109,7 +105,5 @@ model! {
         pub ramp: Option<String>,
         /// What else is to be said.
         pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
 }

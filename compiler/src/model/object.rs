@@ -1,6 +1,7 @@
 //! The object dictionary.
 
-use super::{Address, DataType, Index, Meaning, Source, Value, model};
+use super::table::part;
+use super::{Address, DataType, Index, Meanings, Source, Value, model};
 use crate::source::Origin;
 
 model! {
@@ -28,12 +29,12 @@ model! {
         pub parameter: Option<String>,
         /// The entries by subindex; subindex 0 is always there.
         pub entries: Vec<Entry>,
-        /// Who says that it is there.
-        pub provenance: Provenance,
+        /// Whether it follows from the PDOs and the sync managers.
+        pub derived: bool,
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
 
@@ -47,8 +48,6 @@ model! {
         pub name: String,
         /// Its type.
         pub data_type: DataType,
-        /// Who says that this is its type.
-        pub type_provenance: Provenance,
         /// Who may read and write it.
         pub access: Access,
         /// The process data it can be mapped to.
@@ -64,7 +63,7 @@ model! {
         /// The greatest value.
         pub max: Option<Value>,
         /// What single values mean.
-        pub values: Vec<Meaning>,
+        pub values: Meanings,
         /// The change of the EtherCAT state during which it may be written; any time if none.
         pub written: Option<String>,
         /// What it is for.
@@ -80,7 +79,7 @@ model! {
         /// Where its facts are from, if not where the object's are.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
 
@@ -97,10 +96,11 @@ model! {
         /// The objects that it changes.
         pub updates: Vec<Address>,
     }
+}
 
+part! {
     /// What an object is made of.
     #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
     pub enum Kind {
         /// One value at subindex 0.
         Var,
@@ -111,10 +111,10 @@ model! {
     }
 
     /// Who may read and write a value.
-    #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    #[derive(Copy, Eq, Default)]
     pub enum Access {
         /// Read only.
+        #[default]
         Ro,
         /// Write only.
         Wo,
@@ -125,10 +125,10 @@ model! {
     }
 
     /// The process data a value can be mapped to.
-    #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    #[derive(Copy, Eq, Default)]
     pub enum Mappable {
         /// None.
+        #[default]
         None,
         /// What the master sends.
         Rx,
@@ -139,27 +139,15 @@ model! {
     }
 
     /// Whether a profile demands an object.
-    #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+    #[derive(Copy, Eq, Default)]
     pub enum Category {
         /// Always.
         Mandatory,
         /// Never.
+        #[default]
         Optional,
         /// If something else is there.
         Conditional,
-    }
-
-    /// Who says so.
-    #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
-    pub enum Provenance {
-        /// The description of the device.
-        Device,
-        /// A standard profile.
-        Profile,
-        /// Nobody: it follows from the PDOs or from the number of entries.
-        Derived,
     }
 }
 

@@ -1,16 +1,19 @@
 //! Settings outside the dictionary, and the vendor's own numbering of it.
 
-use super::{Address, Index, Source, Value, model};
+use super::table::table;
+use super::{Address, Index, Source, Value, ValueRanges, model};
 use crate::source::Origin;
 
-model! {
-    /// A setting of the device by the vendor's own name for it.
-    pub struct Parameter {
+table! {
+    /// `[parameters.<id>]`: a setting of the device by the vendor's own name for it.
+    pub struct Parameter by id: "a word" {
         /// The word or number for it.
+        #[serde(skip_deserializing)]
         pub id: String,
         /// Its name.
         pub name: String,
         /// Where it lies in the dictionary of the first axis, if the vendor's numbering says so.
+        #[serde(skip_deserializing)]
         pub address: Option<Address>,
         /// What it does, and how it is reached.
         pub about: Option<String>,
@@ -22,27 +25,13 @@ model! {
         pub max: Option<Value>,
         /// The unit of its value, as people write it.
         pub symbol: Option<String>,
-        /// What its values mean.
-        pub values: Vec<ValueRange>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
+        /// What its values mean, by value or by range of values.
+        #[serde(default)]
+        pub values: ValueRanges,
     }
+}
 
-    /// What a value, or each value of a range, means.
-    pub struct ValueRange {
-        /// The first value.
-        pub first: i64,
-        /// The last value.
-        pub last: i64,
-        /// What it is called.
-        pub name: String,
-        /// What it means in full.
-        pub about: Option<String>,
-    }
-
+model! {
     /// How the vendor's parameters lie in the dictionary of the first axis: `E200[0]` has the index
     /// `base + number of group E × group_size + 200`.
     pub struct Coordinates {
@@ -59,7 +48,7 @@ model! {
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
 
@@ -92,14 +81,24 @@ model! {
 impl Coordinates {
     /// The address of a coordinate such as `E200[0]` or `A515` on the first axis.
     pub fn address(&self, text: &str) -> Option<Address> {
-        let (place, element) = match text.strip_suffix(']') {
-            Some(rest) => rest.split_once('[')?,
-            None => (text, "0"),
-        };
-        let letter = place.get(..1)?;
-        let line: u16 = place.get(1..)?.parse().ok().filter(|line| *line < self.group_size)?;
-        let number = self.groups.iter().find(|group| group.letter == letter)?.number?;
-        let index = number.checked_mul(self.group_size)?.checked_add(self.base.0)?.checked_add(line)?;
-        Some(Address { index: Index(index), subindex: element.parse().ok()? })
+        let number = |letter: &str| self.groups.iter().find(|group| group.letter == letter)?.number;
+        coordinate(text, self.base, self.group_size, number)
     }
+}
+
+/// The address of a coordinate in groups of a size from a base on.
+pub(crate) fn coordinate(
+    text: &str,
+    base: Index,
+    size: u16,
+    number: impl FnOnce(&str) -> Option<u16>,
+) -> Option<Address> {
+    let (place, element) = match text.strip_suffix(']') {
+        Some(rest) => rest.split_once('[')?,
+        None => (text, "0"),
+    };
+    let letter = place.get(..1)?;
+    let line: u16 = place.get(1..)?.parse().ok().filter(|line| *line < size)?;
+    let index = number(letter)?.checked_mul(size)?.checked_add(base.0)?.checked_add(line)?;
+    Some(Address { index: Index(index), subindex: element.parse().ok()? })
 }

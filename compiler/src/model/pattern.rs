@@ -8,7 +8,7 @@ model! {
     /// What the bits of a word must be, lowest first; bits beyond are either.
     #[derive(Eq)]
     #[cfg_attr(feature = "json", serde(into = "String"))]
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    #[cfg_attr(feature = "schema", schemars(with = "String", inline))]
     pub struct Pattern {
         /// The bits, bit 0 first.
         pub bits: Vec<Bit>,
@@ -66,6 +66,14 @@ impl Pattern {
     fn select(&self, wanted: impl Fn(Bit) -> bool) -> u16 {
         let bits = self.bits.iter().zip(0_u16..16).filter(|(bit, _)| wanted(**bit));
         bits.map(|(_, place)| 1_u16 << place).sum()
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for Pattern {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let expected = "expected a pattern of up to 16 bits, each 0, 1, x, r or f, such as \"x01x 0001\"";
+        Self::parse(&text).ok_or_else(|| serde::de::Error::custom(expected))
     }
 }
 

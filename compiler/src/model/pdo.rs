@@ -35,7 +35,7 @@ model! {
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
 

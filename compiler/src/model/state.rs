@@ -1,16 +1,17 @@
 //! State machines.
 
-use super::{Pattern, Source, model};
-use crate::source::Origin;
+use super::table::{part, table};
+use super::{OneOrMore, Pattern};
 
-model! {
-    /// A state of the drive.
-    pub struct State {
+table! {
+    /// `[states.<id>]`: a state of the drive.
+    pub struct State by id: "a word" {
         /// The word for it.
+        #[serde(skip_deserializing)]
         pub id: String,
         /// Its name.
         pub name: String,
-        /// The bits of the statusword that show it.
+        /// The bits of the statusword that show it, highest first: `"x01x 0001"`; `x` is either.
         pub pattern: Option<Pattern>,
         /// What it means.
         pub about: Option<String>,
@@ -24,20 +25,104 @@ model! {
         pub drive_function: Option<Answer>,
         /// Whether parameters may be changed.
         pub configuration: Option<Answer>,
-        /// What holds in it.
+        /// What holds in it, a sentence each.
+        #[serde(default)]
         pub features: Vec<String>,
-        /// What can bring the drive into it.
+        /// What can bring the drive into it, a sentence each.
+        #[serde(default)]
         pub causes: Vec<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
     }
 
+    /// `[commands.<id>]`: what a pattern of the controlword asks for.
+    pub struct Command by id: "a word" {
+        /// The word for it.
+        #[serde(skip_deserializing)]
+        pub id: String,
+        /// Its name.
+        pub name: String,
+        /// The bits of the controlword, highest first: `"rxxx xxxx"`; `x` is either, `r` a rising edge, `f` a
+        /// falling one.
+        pub pattern: Option<Pattern>,
+        /// The transitions that it sets off, by number.
+        #[serde(default)]
+        pub transitions: Vec<u8>,
+        /// What it does.
+        pub about: Option<String>,
+        /// The states in which it is ignored, by id.
+        #[serde(default)]
+        pub ignored_in: Vec<String>,
+    }
+
+    /// `[transitions.<number>]`: a change of state.
+    pub struct Transition by number: "the number of a transition" {
+        /// Its number.
+        #[serde(skip_deserializing)]
+        pub number: u8,
+        /// The state before, or a list of several, by id; absent for the start, or if it can come from any.
+        #[serde(default)]
+        pub from: OneOrMore,
+        /// The state after, by id.
+        pub to: String,
+        /// Whether it happens without a command.
+        #[serde(default)]
+        pub automatic: bool,
+        /// Whether the device makes it at all; true if absent.
+        #[serde(default = "super::yes")]
+        pub supported: bool,
+        /// The bits of the controlword that set it off, where the manual gives them for a transition.
+        pub pattern: Option<Pattern>,
+        /// What such bits are called as a command, as `"Shutdown"`.
+        pub command: Option<String>,
+        /// What sets it off without a command, any of them.
+        #[serde(default)]
+        pub events: Vec<Event>,
+        /// What keeps a command from setting it off while it holds, any of them.
+        #[serde(default)]
+        pub interlocks: Vec<Event>,
+        /// Whether all axes must make it, or one is enough, to move the whole device.
+        pub axes: Option<Scope>,
+        /// The power level that it switches to.
+        pub power: Option<String>,
+        /// What it waits for, a sentence each, all of them.
+        #[serde(default)]
+        pub conditions: Vec<String>,
+        /// What else sets it off, a sentence each, any of them.
+        #[serde(default)]
+        pub causes: Vec<String>,
+        /// What it does.
+        pub about: Option<String>,
+    }
+
+    /// `[communication-states.<id>]`: a state of the EtherCAT state machine.
+    pub struct CommunicationState by id: "a word" {
+        /// The word for it.
+        #[serde(skip_deserializing)]
+        pub id: String,
+        /// Its name.
+        pub name: String,
+        /// Its number in AL control and AL status.
+        pub code: u8,
+        /// What the device does in it.
+        pub about: Option<String>,
+    }
+
+    /// `[communication-transitions.<id>]`: a change of the EtherCAT state, named by two letters such as `PS`.
+    pub struct CommunicationTransition by id: "two letters such as PS" {
+        /// Its two letters, such as `PS`.
+        #[serde(skip_deserializing)]
+        pub id: String,
+        /// The state before, by id.
+        pub from: String,
+        /// The state after, by id.
+        pub to: String,
+        /// What the device does.
+        pub about: Option<String>,
+    }
+}
+
+part! {
     /// Yes, no, or on a condition.
     #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
     pub enum Answer {
         /// Yes.
         Yes,
@@ -47,67 +132,8 @@ model! {
         IfRequired,
     }
 
-    /// What a pattern of the controlword asks for.
-    pub struct Command {
-        /// The word for it.
-        pub id: String,
-        /// Its name.
-        pub name: String,
-        /// The bits of the controlword.
-        pub pattern: Option<Pattern>,
-        /// The transitions that it sets off.
-        pub transitions: Vec<u8>,
-        /// What it does.
-        pub about: Option<String>,
-        /// The states in which it is ignored, by id.
-        pub ignored_in: Vec<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
-    }
-
-    /// A change of state.
-    pub struct Transition {
-        /// Its number.
-        pub number: u8,
-        /// The states before, by id; none for the start, or if it can come from any.
-        pub from: Vec<String>,
-        /// The state after, by id.
-        pub to: String,
-        /// Whether it happens without a command.
-        pub automatic: bool,
-        /// Whether the device makes it at all.
-        pub supported: bool,
-        /// The bits of the controlword that set it off, where given for the transition itself.
-        pub pattern: Option<Pattern>,
-        /// What these bits are called as a command.
-        pub command: Option<String>,
-        /// What sets it off without a command, any of them.
-        pub events: Vec<Event>,
-        /// What keeps a command from setting it off, any of them.
-        pub interlocks: Vec<Event>,
-        /// How many axes must make it to move the whole device.
-        pub axes: Option<Scope>,
-        /// The power level that it switches to.
-        pub power: Option<String>,
-        /// What it waits for, all of them.
-        pub conditions: Vec<String>,
-        /// What else sets it off, any of them.
-        pub causes: Vec<String>,
-        /// What it does.
-        pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
-    }
-
     /// What happens in a drive besides its commands, the most urgent first.
     #[derive(Copy, Eq, PartialOrd, Ord)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
     pub enum Event {
         /// The cause of a fault is there.
         Fault,
@@ -115,7 +141,7 @@ model! {
         FaultReactionOver,
         /// Start-up and self-test are over.
         Initialised,
-        /// Something outside forbids power.
+        /// Something outside forbids power: no supply, safe torque off.
         LockedOut,
         /// An additional enable signal is missing.
         NotEnabled,
@@ -125,40 +151,11 @@ model! {
 
     /// How many axes must make a transition.
     #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
     pub enum Scope {
         /// Every one.
         All,
         /// One or more.
         Any,
-    }
-
-    /// A state of the EtherCAT state machine.
-    pub struct CommunicationState {
-        /// The word for it.
-        pub id: String,
-        /// Its name.
-        pub name: String,
-        /// Its number in AL control and AL status.
-        pub code: u8,
-        /// What the device does in it.
-        pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-    }
-
-    /// A change of the EtherCAT state.
-    pub struct CommunicationTransition {
-        /// Its two letters, such as `PS`.
-        pub id: String,
-        /// The state before, by id.
-        pub from: String,
-        /// The state after, by id.
-        pub to: String,
-        /// What the device does.
-        pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
 }
 

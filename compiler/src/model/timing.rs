@@ -1,18 +1,20 @@
 //! Time.
 
-use super::{Source, model};
-use crate::source::Origin;
+use super::Duration;
+use super::table::{part, table};
 
-model! {
-    /// A way to keep time with the master.
-    pub struct SyncMode {
+table! {
+    /// `[sync-modes.<id>]`: a way to keep time with the master.
+    pub struct SyncMode by id: "a word" {
         /// The word for it.
+        #[serde(skip_deserializing)]
         pub id: String,
         /// Its name.
         pub name: String,
-        /// The value of the register that starts the distributed clocks.
+        /// The value of the register that starts the distributed clocks; 0 for none.
         pub assign_activate: u16,
         /// Whether a master should take it if nothing is said.
+        #[serde(default)]
         pub default: bool,
         /// The first signal.
         pub sync0: Option<SyncSignal>,
@@ -20,46 +22,50 @@ model! {
         pub sync1: Option<SyncSignal>,
         /// What else is to be said.
         pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
     }
 
-    /// A signal of the distributed clocks.
-    pub struct SyncSignal {
-        /// Its period in cycles of the master.
-        pub cycles: i32,
-        /// How much later than the cycle it comes, in nanoseconds.
-        pub shift_ns: u64,
-    }
-
-    /// How often set values may come.
-    pub struct CycleTime {
+    /// `[cycle-times.<id>]`: how often set values may come.
+    pub struct CycleTime by id: "a word" {
         /// The word for it.
+        #[serde(skip_deserializing)]
         pub id: String,
         /// What the limit holds for.
         pub name: String,
-        /// The shortest cycle in nanoseconds.
-        pub min_ns: Option<u64>,
-        /// The cycles that can be chosen in nanoseconds, if only some.
-        pub choices_ns: Vec<u64>,
+        /// The shortest cycle.
+        #[serde(rename(serialize = "min_ns"))]
+        pub min: Option<Duration>,
+        /// The cycles that can be chosen, if only some.
+        #[serde(default, rename(serialize = "choices_ns"))]
+        pub choices: Vec<Duration>,
         /// What else is to be said.
         pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
 
-    /// The time from a set value to its effect.
+    /// `[dead-time]`: the time from a set value to its effect.
     pub struct DeadTime {
         /// How many cycles of the master it takes.
         pub cycles: u32,
-        /// How much time besides, in nanoseconds.
-        pub plus_ns: u64,
+        /// How much time besides.
+        #[serde(rename(serialize = "plus_ns"))]
+        pub plus: Duration,
         /// How it comes about.
         pub about: Option<String>,
-        /// Where its facts are from.
-        pub source: Option<Source>,
     }
+}
+
+part! {
+    /// A signal of the distributed clocks.
+    #[derive(Copy, Eq)]
+    pub struct SyncSignal {
+        /// Its period in cycles of the master; 1 if absent.
+        #[serde(default = "one")]
+        pub cycles: i32,
+        /// How much later than the cycle it comes.
+        #[serde(default, rename(serialize = "shift_ns"))]
+        pub shift: Duration,
+    }
+}
+
+fn one() -> i32 {
+    1
 }

@@ -1,6 +1,7 @@
 //! What carries data between master and device.
 
-use super::{Index, Source, model};
+use super::table::{part, table};
+use super::{Hex, Index, Source, model};
 use crate::source::Origin;
 
 model! {
@@ -23,7 +24,7 @@ model! {
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
 
@@ -40,35 +41,83 @@ model! {
         /// Process data to the master.
         Inputs,
     }
+}
 
-    /// What the mailbox can do.
+table! {
+    /// `[mailbox]`: what the mailbox can do.
     pub struct Mailbox {
-        /// The protocols: `CoE`, `EoE`, `FoE`, `SoE`, `VoE`.
-        pub protocols: Vec<String>,
+        /// The protocols.
+        pub protocols: Vec<Protocol>,
         /// Whether the dictionary can be read out.
+        #[serde(default)]
         pub sdo_info: bool,
         /// Whether the master may write 0x1C12 and 0x1C13.
+        #[serde(default)]
         pub pdo_assign: bool,
         /// Whether the master may write the mapping objects.
+        #[serde(default)]
         pub pdo_config: bool,
         /// Whether all subindices can be transferred at once.
+        #[serde(default)]
         pub complete_access: bool,
         /// Whether transfers longer than the mailbox are possible.
+        #[serde(default)]
         pub segmented: bool,
-        /// Where its facts are from.
-        pub source: Option<Source>,
-        /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
-        pub origin: Origin,
     }
 
-    /// The SII EEPROM.
+    /// `[eeprom]`: the SII EEPROM.
     pub struct Eeprom {
-        /// Its size in bytes.
+        /// Its size in bytes; 2048 if absent.
+        #[serde(default = "usual_size")]
         pub size: u32,
-        /// The first bytes of it: PDI control and what follows.
-        pub config_data: Vec<u8>,
+        /// The first bytes of it, PDI control and what follows, in hexadecimal.
+        #[serde(default)]
+        pub config_data: Hex,
     }
+}
+
+part! {
+    /// A protocol of the mailbox.
+    #[derive(Copy, Eq)]
+    pub enum Protocol {
+        /// CANopen: the object dictionary.
+        #[serde(rename = "CoE")]
+        Coe,
+        /// Ethernet frames.
+        #[serde(rename = "EoE")]
+        Eoe,
+        /// Files.
+        #[serde(rename = "FoE")]
+        Foe,
+        /// The drive profile SERCOS.
+        #[serde(rename = "SoE")]
+        Soe,
+        /// A vendor's own.
+        #[serde(rename = "VoE")]
+        Voe,
+    }
+}
+
+fn usual_size() -> u32 {
+    Eeprom::USUAL_SIZE
+}
+
+impl Protocol {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Coe => "CoE",
+            Self::Eoe => "EoE",
+            Self::Foe => "FoE",
+            Self::Soe => "SoE",
+            Self::Voe => "VoE",
+        }
+    }
+}
+
+impl Eeprom {
+    /// The size of the devices of most vendors, in bytes.
+    pub const USUAL_SIZE: u32 = 2048;
 }
 
 impl Role {

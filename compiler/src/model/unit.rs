@@ -1,5 +1,6 @@
 //! Units and scaling.
 
+use super::table::part;
 use super::{Address, Source, model};
 use crate::source::Origin;
 
@@ -21,7 +22,7 @@ model! {
         /// Where its facts are from.
         pub source: Option<Source>,
         /// Where it was written.
-        #[cfg_attr(feature = "json", serde(skip))]
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
     }
 
@@ -43,9 +44,11 @@ model! {
         pub units: u64,
     }
 
+}
+
+part! {
     /// How a value travels.
     #[derive(Copy, Eq)]
-    #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
     pub enum Path {
         /// In process data.
         Pdo,

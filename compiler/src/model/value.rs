@@ -2,11 +2,14 @@
 
 use std::fmt;
 
-use super::{DataType, model};
+use serde::{Deserialize, Deserializer};
+
+use super::{DataType, Literal, model};
 
 model! {
     /// A value that fits the type it was resolved for.
     #[cfg_attr(feature = "json", serde(untagged))]
+    #[cfg_attr(feature = "schema", schemars(inline))]
     pub enum Value {
         /// `true` or `false`.
         Boolean(bool),
@@ -43,6 +46,26 @@ impl Value {
             Self::Integer(value) => Some(i128::from(*value)),
             Self::Unsigned(value) => Some(i128::from(*value)),
             Self::Real(_) | Self::Text(_) => None,
+        }
+    }
+}
+
+/// As it is written, where there is no type to fit it to.
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Literal::deserialize(deserializer).map(|literal| Self::from(&literal))
+    }
+}
+
+impl From<&Literal> for Value {
+    fn from(literal: &Literal) -> Self {
+        match literal {
+            Literal::Boolean(value) => Self::Boolean(*value),
+            Literal::Float(value) => Self::Real(*value),
+            Literal::Text(text) => Self::Text(text.clone()),
+            Literal::Integer(value) => {
+                i64::try_from(*value).map_or_else(|_| Self::Text(value.to_string()), Self::Integer)
+            }
         }
     }
 }

@@ -1,10 +1,10 @@
 //! One tree out of the description, its profiles, and what differs for a member of a family.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
-use crate::source::{Member, Node, Table, Value};
+use crate::source::{CanonicalKey, Member, Node, Table, Value, parts};
 
 /// Lays each entity of `root` over the entity of the same key in `profile`.
 ///
@@ -23,16 +23,16 @@ pub(super) fn over_profile(root: &Table, profile: &Table) -> Table {
 }
 
 fn section_over(entities: &Table, base: &Member) -> Table {
-    let known: HashMap<String, &Node> = base
+    let known: BTreeMap<&CanonicalKey, &Node> = base
         .node
         .table()
-        .map(|table| table.members.iter().map(|member| (normal(&member.key.name), &member.node)).collect())
+        .map(|table| table.members.iter().map(|member| (&member.key.canonical, &member.node)).collect())
         .unwrap_or_default();
     let members = entities
         .members
         .iter()
         .map(|entity| {
-            let lower = known.get(&normal(&entity.key.name)).and_then(|node| node.table());
+            let lower = known.get(&entity.key.canonical).and_then(|node| node.table());
             match (entity.node.table(), lower) {
                 (Some(upper), Some(lower)) => with(entity, upper.over(lower)),
                 _ => entity.clone(),
@@ -54,7 +54,7 @@ pub(super) fn strip(mut tree: Table, lists: &[Node], diagnostics: &mut Diagnosti
                 diagnostics.push(wrong_type(path, "a path such as \"objects.0x6098\""));
                 continue;
             };
-            if !take_out(&mut tree, text) {
+            if !take_out(&mut tree, &parts(text).collect::<Vec<_>>()) {
                 let message = format!("nothing stands at `{text}`");
                 let label = "cannot be left out";
                 diagnostics.push(Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, path.at, label));
@@ -65,31 +65,23 @@ pub(super) fn strip(mut tree: Table, lists: &[Node], diagnostics: &mut Diagnosti
     tree
 }
 
-/// Takes out what stands at `path`, and says whether there was anything.
-fn take_out(table: &mut Table, path: &str) -> bool {
-    let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
-    let Some(place) = table.members.iter().position(|member| member.key.name.eq_ignore_ascii_case(first))
-    else {
-        return false;
-    };
-    let Some(rest) = rest else {
+/// Takes out what stands at a path, and says whether there was anything.
+fn take_out(table: &mut Table, path: &[&str]) -> bool {
+    let Some((key, path)) = path.split_first() else { return false };
+    let Some(place) = table.position(key) else { return false };
+    if path.is_empty() {
         table.members.remove(place);
         return true;
-    };
+    }
     match table.members.get_mut(place).map(|member| &mut member.node.value) {
-        Some(Value::Table(inner)) => take_out(Arc::make_mut(inner), rest),
+        Some(Value::Table(inner)) => take_out(Arc::make_mut(inner), path),
         _ => false,
     }
 }
 
 fn with(member: &Member, table: Table) -> Member {
     let node = Node { at: member.node.at, value: Value::Table(Arc::new(table)) };
-    Member { key: member.key.clone(), node, under: member.under.clone() }
-}
-
-/// A key in one spelling: `0x607a` and `0x607A` name the same object.
-fn normal(key: &str) -> String {
-    key.to_ascii_uppercase()
+    Member { node, ..member.clone() }
 }
 
 /// That a value is of another type than its key needs.

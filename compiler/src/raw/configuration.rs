@@ -2,28 +2,26 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
+use super::{RawMapped, raw};
+use crate::model::Duration;
 
-use super::{Duration, RawMapped};
-
-/// `[configurations.<id>]`: what a master chooses before it goes to Safe-Operational.
-#[derive(Debug, Default, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub struct RawConfiguration {
-    /// What it is good for.
-    pub name: String,
-    /// The PDOs to assign to the outputs; untouched if absent. That of the first axis stands for all axes.
-    pub outputs: Option<Vec<String>>,
-    /// The PDOs to assign to the inputs; untouched if absent. That of the first axis stands for all axes.
-    pub inputs: Option<Vec<String>>,
-    /// What to map, by PDO; for PDOs whose mapping is free.
-    #[serde(default)]
-    pub mapping: BTreeMap<String, Vec<RawMapped>>,
-    /// The mode of operation to write to 0x6060.
-    pub mode: Option<i16>,
-    /// The cycle time to write to 0x60C2.
-    pub cycle_time: Option<Duration>,
-    /// What else is to be said.
-    pub about: Option<String>,
+raw! {
+    /// `[configurations.<id>]`: what a master chooses before it goes to Safe-Operational.
+    pub struct RawConfiguration {
+        /// What it is good for.
+        pub name: String,
+        /// The PDOs to assign to the outputs; untouched if absent. That of the first axis stands for all axes.
+        pub outputs: Option<Vec<String>>,
+        /// The PDOs to assign to the inputs; untouched if absent. That of the first axis stands for all axes.
+        pub inputs: Option<Vec<String>>,
+        /// What to map, by PDO; for PDOs whose mapping is free.
+        #[serde(default)]
+        pub mapping: BTreeMap<String, Vec<RawMapped>>,
+        /// The mode of operation to write to 0x6060.
+        pub mode: Option<i16>,
+        /// The cycle time to write to 0x60C2.
+        pub cycle_time: Option<Duration>,
+        /// What else is to be said.
+        pub about: Option<String>,
+    }
 }

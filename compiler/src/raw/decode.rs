@@ -8,7 +8,6 @@
 mod access;
 mod context;
 mod error;
-mod shorthand;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -20,7 +19,6 @@ use crate::source::Table;
 use context::Context;
 pub(crate) use context::unknown_key;
 use error::Error;
-pub(super) use shorthand::shorthand;
 use view::View;
 
 /// Reads one table as one struct, or as several, each of which takes the keys that it knows.

@@ -1,4 +1,4 @@
-//! How sure a statement is: `source`, `assumed`, `[[remarks]]`, `[[errata]]`.
+//! How sure a statement is: `source`, `assumed`.
 
 use std::collections::BTreeMap;
 
@@ -10,11 +10,21 @@ use serde::de::{self, Deserializer, MapAccess, Visitor};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawFacts {
-    /// Where its facts are from: a place in the first of `[documents]`, or `"<document>: <place>"`.
-    pub source: Option<String>,
+    /// Where its facts are from: a place in the first of `[documents]`, or `"<document>: <place>"`; `false` if not even
+    /// the `source` of the file holds for it.
+    pub source: Option<RawSource>,
     /// Why what it says is taken to be so although no source says it: one reason for the whole table, or
     /// one for each key that is assumed.
     pub assumed: Option<RawAssumed>,
+}
+
+/// Where facts are from, or that this is not known.
+#[derive(Debug)]
+pub enum RawSource {
+    /// A place in a document.
+    Place(String),
+    /// None.
+    None,
 }
 
 /// One reason for a table, or one for each of some keys.
@@ -24,6 +34,32 @@ pub enum RawAssumed {
     All(String),
     /// These keys are.
     Keys(BTreeMap<String, String>),
+}
+
+impl<'de> Deserialize<'de> for RawSource {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Place;
+        impl Visitor<'_> for Place {
+            type Value = RawSource;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a place in a document, or `false`")
+            }
+
+            fn visit_str<E: de::Error>(self, place: &str) -> Result<RawSource, E> {
+                Ok(RawSource::Place(place.to_owned()))
+            }
+
+            fn visit_bool<E: de::Error>(self, known: bool) -> Result<RawSource, E> {
+                if known {
+                    Err(E::custom("expected a place in a document, or `false`"))
+                } else {
+                    Ok(RawSource::None)
+                }
+            }
+        }
+        deserializer.deserialize_any(Place)
+    }
 }
 
 impl<'de> Deserialize<'de> for RawAssumed {
@@ -46,48 +82,4 @@ impl<'de> Deserialize<'de> for RawAssumed {
         }
         deserializer.deserialize_any(Assumed)
     }
-}
-
-/// `[[errata]]`: the answer to one finding of one rule.
-#[derive(Debug, Default, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub struct RawErratum {
-    /// The rule that found it.
-    pub rule: String,
-    /// What it was found at, as the message names it.
-    pub at: String,
-    /// What the manual says.
-    pub says: String,
-    /// What is so.
-    pub holds: String,
-    /// How one knows.
-    pub why: String,
-}
-
-/// `[[remarks]]`: a weakness of the sources that no rule can see.
-#[derive(Debug, Default, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub struct RawRemark {
-    /// What it is about, as an erratum would name it.
-    pub at: String,
-    /// Whether the sources contradict each other, say nothing, or can be read in two ways.
-    pub kind: RawRemarkKind,
-    /// What there is to know.
-    pub text: String,
-}
-
-/// What is weak.
-#[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RawRemarkKind {
-    /// Two places disagree.
-    Contradiction,
-    /// No place says it.
-    Silence,
-    /// A place can be read in two ways, or is hard to believe.
-    #[default]
-    Doubt,
 }

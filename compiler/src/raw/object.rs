@@ -4,18 +4,57 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::{Literal, RawField};
+use crate::model::{Access, Category, Index, Kind, Literal, Mappable, Meanings, Source};
+use crate::source::Origin;
+
+/// An object as written: what makes it an object, and its values.
+#[derive(Debug)]
+pub struct RawObject {
+    /// The key that it stands under.
+    pub key: String,
+    /// Its index on the first axis.
+    pub index: Index,
+    /// What makes it an object.
+    pub head: RawObjectHead,
+    /// Its value; of a record or an array what is said of the object as a whole.
+    pub value: RawEntry,
+    /// Its entries, in the order in which they were written.
+    pub entries: Vec<RawEntries>,
+    /// What the object's table says for all entries.
+    pub shared: RawEntries,
+    /// The whole object as it is on some axes: the axes as written, and the object with what differs there laid over.
+    pub per_axis: Vec<(String, RawObject)>,
+    /// Where its facts are from.
+    pub source: Option<Source>,
+    /// Where it was written.
+    pub origin: Origin,
+}
+
+/// An entry, or a range of entries that are alike.
+#[derive(Debug)]
+pub struct RawEntries {
+    /// The first and the last subindex.
+    pub range: (u8, u8),
+    /// What is said of each, in its table or for all entries in the object's.
+    pub value: RawEntry,
+    /// Where its facts are from, if not where the object's are.
+    pub source: Option<Source>,
+    /// Where it was written: its table with what the object's says for all entries.
+    pub origin: Origin,
+}
 
 /// `[objects.<index>]`: an object of the dictionary. The keys from `name` on say what its value is; the tables
-/// in `entries` have them, too.
+/// in `entries` have them, too. For a record or an array `type`, `access`, `pdo`, `category`, `unit`, `default`, `min`,
+/// `max`, `values`, `written`, `functional` and `trigger` hold for all entries that do not say otherwise, but for
+/// subindex 0.
 #[derive(Debug, Default, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub struct RawObject {
+pub struct RawObjectHead {
     /// The word by which the rest of the description refers to it; made from the name if absent.
     pub id: Option<String>,
     /// `"var"`, `"array"` or `"record"`; what the entries look like if absent.
-    pub kind: Option<RawKind>,
+    pub kind: Option<Kind>,
     /// The entries by subindex, `"1"`, or by a range of them, `"1..=16"`, in whose `name` and `parameter` `{}`
     /// or `{+8}` is a number; none for a single value.
     #[serde(default)]
@@ -35,21 +74,8 @@ impl<'de> Deserialize<'de> for Ignored {
     }
 }
 
-/// What an object is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RawKind {
-    /// One value at subindex 0.
-    Var,
-    /// Values of one type from subindex 1 on.
-    Array,
-    /// Values of different types from subindex 1 on.
-    Record,
-}
-
 /// A value that an index and a subindex name.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Clone, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawEntry {
@@ -59,11 +85,11 @@ pub struct RawEntry {
     /// `DWORD`, `BIT1` to `BIT8`, `STRING` or `STRING(n)`.
     pub r#type: Option<String>,
     /// `"ro"`, `"wo"`, `"rw"` or `"const"`.
-    pub access: Option<RawAccess>,
+    pub access: Option<Access>,
     /// The process data it can be mapped to: `"rx"`, `"tx"`, `"rx-tx"` or `"none"`.
-    pub pdo: Option<RawMappable>,
+    pub pdo: Option<Mappable>,
     /// Whether the profile demands it: `"mandatory"`, `"optional"` or `"conditional"`.
-    pub category: Option<RawCategory>,
+    pub category: Option<Category>,
     /// The unit of its value, one of `[units]`.
     pub unit: Option<String>,
     /// The value after start-up. A number can be written as a manual prints it in two columns, `"0x14 (20)"`: the
@@ -74,8 +100,7 @@ pub struct RawEntry {
     /// The greatest value.
     pub max: Option<Literal>,
     /// What single values mean, by value.
-    #[serde(default)]
-    pub values: BTreeMap<String, RawField>,
+    pub values: Option<Meanings>,
     /// The state change during which it may be written, as `"PS"`; in any state if absent.
     pub written: Option<String>,
     /// What it is for.
@@ -91,7 +116,7 @@ pub struct RawEntry {
 }
 
 /// What writing a value sets off.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Clone, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub struct RawTrigger {
@@ -107,47 +132,4 @@ pub struct RawTrigger {
     /// The objects that it changes.
     #[serde(default)]
     pub updates: Vec<String>,
-}
-
-/// Who may read and write a value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RawAccess {
-    /// Read only.
-    Ro,
-    /// Write only.
-    Wo,
-    /// Read and write.
-    Rw,
-    /// Read only and never different.
-    Const,
-}
-
-/// The process data a value can be mapped to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RawMappable {
-    /// None.
-    None,
-    /// What the master sends.
-    Rx,
-    /// What the device sends.
-    Tx,
-    /// Both.
-    RxTx,
-}
-
-/// Whether a profile demands an object.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RawCategory {
-    /// Always.
-    Mandatory,
-    /// Never.
-    Optional,
-    /// If something else is there.
-    Conditional,
 }

@@ -1,47 +1,47 @@
-//! Process data and what carries it: `[rx-pdos]`, `[tx-pdos]`, `[sync-managers]`, `[mailbox]`.
+//! Process data and what carries it: `[rx-pdos]`, `[tx-pdos]`, `[sync-managers]`.
 
 use serde::Deserialize;
 use serde::de::Deserializer;
 
-use super::decode::shorthand;
+use super::raw;
+use crate::model::shorthand::shorthand;
 
-/// `[rx-pdos.<index>]`, `[tx-pdos.<index>]`: a process data object.
-#[derive(Debug, Default, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub struct RawPdo {
-    /// Its name.
-    pub name: String,
-    /// Whether each axis has one, `pdo-shift` apart; the table describes the first axis' one.
-    #[serde(default)]
-    pub per_axis: bool,
-    /// What is in it, in order.
-    #[serde(default)]
-    pub entries: Vec<RawMapped>,
-    /// Whether its mapping cannot be changed; true if absent.
-    pub fixed: Option<bool>,
-    /// Whether it cannot be taken out of its sync manager.
-    #[serde(default)]
-    pub mandatory: bool,
-    /// The PDOs that cannot be assigned together with it.
-    #[serde(default)]
-    pub excludes: Vec<String>,
-    /// The mode of operation it is meant for.
-    pub mode: Option<i16>,
-    /// The number of bytes that the manual gives for it.
-    pub total: Option<u16>,
-    /// The largest number of bytes it can be mapped to, for a free mapping.
-    pub max_bytes: Option<u16>,
-    /// The largest number of entries it can be mapped to, for a free mapping.
-    pub max_entries: Option<u8>,
-    /// What it is for.
-    pub about: Option<String>,
+raw! {
+    /// `[rx-pdos.<index>]`, `[tx-pdos.<index>]`: a process data object.
+    pub struct RawPdo {
+        /// Its name.
+        pub name: String,
+        /// Whether each axis has one, `pdo-shift` apart; the table describes the first axis' one.
+        #[serde(default)]
+        pub per_axis: bool,
+        /// What is in it, in order.
+        #[serde(default)]
+        pub entries: Vec<RawMapped>,
+        /// Whether its mapping cannot be changed; true if absent.
+        pub fixed: Option<bool>,
+        /// Whether it cannot be taken out of its sync manager.
+        #[serde(default)]
+        pub mandatory: bool,
+        /// The PDOs that cannot be assigned together with it.
+        #[serde(default)]
+        pub excludes: Vec<String>,
+        /// The mode of operation it is meant for.
+        pub mode: Option<i16>,
+        /// The number of bytes that the manual gives for it.
+        pub total: Option<u16>,
+        /// The largest number of bytes it can be mapped to, for a free mapping.
+        pub max_bytes: Option<u16>,
+        /// The largest number of entries it can be mapped to, for a free mapping.
+        pub max_entries: Option<u8>,
+        /// What it is for.
+        pub about: Option<String>,
+    }
 }
 
 /// An entry of a PDO: a reference such as `"controlword"` or `"0x6040:00"`, or a table.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(transform = super::schema::or_text))]
+#[cfg_attr(feature = "schema", schemars(transform = crate::model::schema::or_text))]
 pub struct RawMapped {
     /// The object or entry; none for padding.
     pub entry: Option<String>,
@@ -67,46 +67,21 @@ impl<'de> Deserialize<'de> for RawMapped {
     }
 }
 
-/// `[sync-managers.<role>]`: a memory area of the EtherCAT slave controller.
-#[derive(Debug, Default, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub struct RawSyncManager {
-    /// The first byte of the area.
-    pub address: u16,
-    /// The bytes of a mailbox; process data areas are as long as what is assigned to them.
-    pub size: Option<u16>,
-    /// The longest the area can get, in bytes.
-    pub max_size: Option<u16>,
-    /// The control byte.
-    pub control: Option<u8>,
-    /// The PDOs assigned at start-up.
-    #[serde(default)]
-    pub pdos: Vec<String>,
-    /// How many PDOs can be assigned at once; as many as there are by default.
-    pub slots: Option<u8>,
-}
-
-/// `[mailbox]`: what the mailbox can do.
-#[derive(Debug, Default, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub struct RawMailbox {
-    /// The protocols: `CoE`, `EoE`, `FoE`, `SoE`, `VoE`.
-    pub protocols: Vec<String>,
-    /// Whether the dictionary can be read out.
-    #[serde(default)]
-    pub sdo_info: bool,
-    /// Whether the master may write 0x1C12 and 0x1C13.
-    #[serde(default)]
-    pub pdo_assign: bool,
-    /// Whether the master may write the mapping objects.
-    #[serde(default)]
-    pub pdo_config: bool,
-    /// Whether all subindices can be transferred at once.
-    #[serde(default)]
-    pub complete_access: bool,
-    /// Whether transfers longer than the mailbox are possible.
-    #[serde(default)]
-    pub segmented: bool,
+raw! {
+    /// `[sync-managers.<role>]`: a memory area of the EtherCAT slave controller.
+    pub struct RawSyncManager {
+        /// The first byte of the area.
+        pub address: u16,
+        /// The bytes of a mailbox; process data areas are as long as what is assigned to them.
+        pub size: Option<u16>,
+        /// The longest the area can get, in bytes.
+        pub max_size: Option<u16>,
+        /// The control byte.
+        pub control: Option<u8>,
+        /// The PDOs assigned at start-up.
+        #[serde(default)]
+        pub pdos: Vec<String>,
+        /// How many PDOs can be assigned at once; as many as there are by default.
+        pub slots: Option<u8>,
+    }
 }

@@ -11,9 +11,8 @@ use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
 pub use reference::reference;
-pub(super) use tidy::or_text;
 
-use section::{SECTIONS, Section};
+use section::all;
 
 /// The address by which the schema names itself.
 const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
@@ -24,11 +23,12 @@ const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
 /// leaves out: so no section and no key is demanded.
 pub fn schema() -> String {
     let mut generator = generator();
-    let mut tables: Map<String, Value> =
-        SECTIONS.iter().map(|section| (section.name.into(), section.schema(&mut generator))).collect();
+    let mut tables: Map<String, Value> = all()
+        .map(|(name, shape, table)| (name.into(), section::schema(shape, table(&mut generator))))
+        .collect();
     let sections: Map<String, Value> = tables.keys().map(|name| (name.clone(), reference_to(name))).collect();
     tables.insert("members".into(), member(&sections));
-    let keys = sections.into_iter().chain(file_keys(&mut generator));
+    let keys = sections.into_iter().chain(file_keys());
     let keys: Map<String, Value> = keys.collect();
     tables.extend(generator.take_definitions(false));
     let mut root = json!({
@@ -41,12 +41,6 @@ pub fn schema() -> String {
     });
     tidy::tidy(&mut root);
     format!("{root:#}\n")
-}
-
-/// The sections of a device, by name.
-#[cfg(test)]
-pub(super) fn sections() -> impl Iterator<Item = &'static str> {
-    SECTIONS.iter().map(|section| section.name)
 }
 
 fn generator() -> SchemaGenerator {
@@ -72,7 +66,7 @@ fn member(sections: &Map<String, Value>) -> Value {
 const WITHOUT: &str = "Paths of what is taken out, such as `objects.0x6098`.";
 
 /// The keys that a file has besides the sections of a device.
-fn file_keys(generator: &mut SchemaGenerator) -> Map<String, Value> {
+fn file_keys() -> Map<String, Value> {
     let members = json!({
         "type": "object",
         "description": "The members of the family by name.",
@@ -86,7 +80,6 @@ fn file_keys(generator: &mut SchemaGenerator) -> Map<String, Value> {
         ),
         ("source", text("Where the facts of this file are from, unless a table says otherwise.")),
         ("without", texts(WITHOUT)),
-        ("family", Section::FAMILY.schema(generator)),
         ("members", members),
     ];
     keys.into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()

@@ -1,16 +1,16 @@
 //! Axes and the ranges of the dictionary that they repeat.
 
 use super::context::Context;
-use super::keys;
 use crate::diagnostic::{Diagnostic, faults};
-use crate::model::{Area, Axis, Index, Shift};
-use crate::raw::{Entity, RawArea, RawAxes};
+use crate::model::{Axis, Index, Shift};
+use crate::raw::RawAxes;
+use crate::source::keys;
 
 /// The axes of a device; one without a name if the description lists none.
-pub(super) fn axes(raw: Option<&Entity<RawAxes>>) -> Vec<Axis> {
-    let names = raw.map(|axes| &axes.raw.names[..]).filter(|names| !names.is_empty());
+pub(super) fn axes(raw: Option<&RawAxes>) -> Vec<Axis> {
+    let names = raw.map(|axes| &axes.names[..]).filter(|names| !names.is_empty());
     let Some(names) = names else { return vec![Axis { number: 0, name: String::new(), about: None }] };
-    let abouts = raw.map(|axes| &axes.raw.about[..]).unwrap_or_default();
+    let abouts = raw.map(|axes| &axes.about[..]).unwrap_or_default();
     let numbered = (0..=u8::MAX).zip(names);
     numbered
         .map(|(number, name)| Axis {
@@ -22,11 +22,11 @@ pub(super) fn axes(raw: Option<&Entity<RawAxes>>) -> Vec<Axis> {
 }
 
 /// The ranges that exist once for each axis; each must have room for all of them.
-pub(super) fn shifts(context: &mut Context<'_>, raw: Option<&Entity<RawAxes>>) -> Vec<Shift> {
+pub(super) fn shifts(context: &mut Context<'_>, raw: Option<&RawAxes>) -> Vec<Shift> {
     let Some(raw) = raw else { return Vec::new() };
     report_names(context, raw);
     let mut shifts = Vec::new();
-    for (i, shift) in raw.raw.shifts.iter().enumerate() {
+    for (i, shift) in raw.shifts.iter().enumerate() {
         let at = raw.origin.value(&format!("shifts.{i}.range"));
         let Some(range) = keys::range::<u16>(&shift.range) else {
             context.invalid(&shift.range, "a range of indices such as \"0x6000..=0x67FF\"", at);
@@ -47,9 +47,9 @@ pub(super) fn shifts(context: &mut Context<'_>, raw: Option<&Entity<RawAxes>>) -
 }
 
 /// Reports axes that have no number or no name of their own.
-fn report_names(context: &mut Context<'_>, raw: &Entity<RawAxes>) {
+fn report_names(context: &mut Context<'_>, raw: &RawAxes) {
     let at = |i: usize| raw.origin.value(&format!("names.{i}"));
-    let count = raw.raw.names.len();
+    let count = raw.names.len();
     if count > context.axes.len().max(1) {
         let message = format!("{count} axes are more than the 256 that devc can number");
         let first = at(context.axes.len());
@@ -80,26 +80,4 @@ fn collision(shift: &Shift, axes: usize) -> Option<(String, String)> {
             "the dictionary ends at 0xFFFF".to_owned(),
         )
     })
-}
-
-/// The titled ranges of the dictionary, by index.
-pub(super) fn areas(context: &mut Context<'_>, raw: Vec<Entity<RawArea>>) -> Vec<Area> {
-    let mut areas: Vec<Area> = Vec::new();
-    for area in raw {
-        match keys::range::<u16>(&area.key) {
-            None => {
-                let expected = "a range of indices such as \"0x2000..=0x5FFF\"";
-                context.invalid(&area.key, expected, area.origin.header());
-            }
-            Some(range) => areas.push(Area {
-                first: Index(*range.start()),
-                last: Index(*range.end()),
-                name: area.raw.name,
-                about: area.raw.about,
-                origin: area.origin,
-            }),
-        }
-    }
-    areas.sort_by_key(|area| (area.first, area.last));
-    areas
 }

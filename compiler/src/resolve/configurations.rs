@@ -2,44 +2,46 @@
 
 use super::context::Context;
 use super::derived::Basis;
-use super::{facts, pdos, startup};
+use super::{pdos, startup};
 use crate::model::{Configuration, Index, Object, Pdo};
-use crate::raw::{Duration, Entity, RawConfiguration, RawMapped};
+use crate::raw::{RawConfiguration, RawMapped};
+use crate::source::Origin;
 
 /// The choices with their start-up lists, in the order in which they were written.
 pub(super) fn configurations(
     context: &mut Context<'_>,
-    raw: Vec<Entity<RawConfiguration>>,
+    raw: Vec<RawConfiguration>,
     objects: &[Object],
     basis: &Basis<'_>,
 ) -> Vec<Configuration> {
-    raw.into_iter().map(|entity| configuration(context, entity, objects, basis)).collect()
+    raw.into_iter().map(|raw| configuration(context, raw, objects, basis)).collect()
 }
 
 fn configuration(
     context: &mut Context<'_>,
-    entity: Entity<RawConfiguration>,
+    raw: RawConfiguration,
     objects: &[Object],
     basis: &Basis<'_>,
 ) -> Configuration {
-    let outputs = assigned(context, &entity, "outputs", entity.raw.outputs.as_deref(), basis.pdos);
-    let inputs = assigned(context, &entity, "inputs", entity.raw.inputs.as_deref(), basis.pdos);
-    let mut mapping = Vec::new();
-    for (key, entries) in &entity.raw.mapping {
-        mapping.extend(remapped(context, &entity, key, entries, basis.pdos, objects));
+    let RawConfiguration { key: id, name, outputs, inputs, mapping, mode, cycle_time, about, source, origin } =
+        raw;
+    let outputs = assigned(context, &origin, "outputs", outputs.as_deref(), basis.pdos);
+    let inputs = assigned(context, &origin, "inputs", inputs.as_deref(), basis.pdos);
+    let mut mapped = Vec::new();
+    for (key, entries) in &mapping {
+        mapped.extend(remapped(context, &origin, key, entries, basis.pdos, objects));
     }
-    let Entity { key, raw, facts, origin } = entity;
     let mut configuration = Configuration {
-        id: key,
-        name: raw.name,
+        id,
+        name,
         outputs,
         inputs,
-        mapping,
-        mode: raw.mode,
-        cycle_ns: raw.cycle_time.map(|Duration(ns)| ns),
+        mapping: mapped,
+        mode,
+        cycle_time,
         startup: Vec::new(),
-        about: raw.about,
-        source: facts::source(context, &facts),
+        about,
+        source,
         origin,
     };
     configuration.startup = startup::startup(context, &configuration, objects, basis.mailbox);
@@ -49,7 +51,7 @@ fn configuration(
 /// The PDOs to assign, axis after axis.
 fn assigned(
     context: &mut Context<'_>,
-    entity: &Entity<RawConfiguration>,
+    origin: &Origin,
     path: &str,
     list: Option<&[String]>,
     pdos: &[Pdo],
@@ -58,7 +60,7 @@ fn assigned(
     for (i, text) in list?.iter().enumerate() {
         let named = pdos::named(pdos, text);
         if named.is_empty() {
-            context.no_pdo(text, entity.origin.value(&format!("{path}.{i}")), "not described");
+            context.no_pdo(text, origin.value(&format!("{path}.{i}")), "not described");
         }
         assigned.extend(named);
     }
@@ -69,7 +71,7 @@ fn assigned(
 /// A PDO as the configuration maps it, on all axes that it stands for.
 fn remapped(
     context: &mut Context<'_>,
-    entity: &Entity<RawConfiguration>,
+    origin: &Origin,
     key: &str,
     entries: &[RawMapped],
     pdos: &[Pdo],
@@ -78,10 +80,10 @@ fn remapped(
     let path = format!("mapping.{key}");
     let named = pdos::named(pdos, key);
     if named.is_empty() {
-        context.no_pdo(key, entity.origin.value(&path), "not described");
+        context.no_pdo(key, origin.value(&path), "not described");
     }
     let remapped = named.into_iter().map(|pdo| {
-        let entries = pdos::mapped(context, entries, &entity.origin, &path, pdo.axis, objects);
+        let entries = pdos::mapped(context, entries, origin, &path, pdo.axis, objects);
         Pdo { entries, total: None, about: None, ..pdo.clone() }
     });
     remapped.collect()

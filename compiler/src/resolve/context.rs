@@ -4,19 +4,17 @@ use std::str::FromStr;
 
 use super::names::{self, Names};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
-use crate::model::{Address, Axis, Document, Index, Object, Provenance, Shift};
+use crate::model::{Address, Axis, Index, Object, Shift};
 use crate::source::near::{list, near};
-use crate::source::{Location, Origin, Sources};
+use crate::source::{Location, Origin};
 
 /// The state of resolving one device.
 pub(super) struct Context<'a> {
-    pub(super) sources: &'a Sources,
     pub(super) diagnostics: &'a mut Diagnostics,
     pub(super) names: Names,
     pub(super) axes: Vec<Axis>,
     pub(super) shifts: Vec<Shift>,
     pub(super) pdo_shift: u16,
-    pub(super) documents: Vec<Document>,
 }
 
 impl Context<'_> {
@@ -69,7 +67,14 @@ impl Context<'_> {
         let message = format!("{} has no subindex {:02X}", object.index, address.subindex);
         let label = format!("`{}` ends at {:02X}", object.id, object.highest_subindex());
         let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, label);
-        self.diagnostics.push(fault.label(object.origin.header(), "this object"));
+        let fault = fault.label(object.origin.header(), "this object");
+        let decimal = format!("{:X}", address.subindex).parse().ok();
+        self.diagnostics.push(match decimal.filter(|decimal| object.entry(*decimal).is_some()) {
+            Some(decimal) => {
+                fault.help(format!("subindices are hexadecimal: entry {decimal} is `:{decimal:02X}`"))
+            }
+            None => fault,
+        });
     }
 
     /// Binds a list of references, reporting each that cannot be.
@@ -78,10 +83,10 @@ impl Context<'_> {
         places.filter_map(|(i, text)| self.address(text, origin.value(&format!("{path}.{i}")))).collect()
     }
 
-    /// Binds a reference to one of several named things, or reports that there is none.
-    pub(super) fn bind(&mut self, text: &str, known: &[String], what: &str, at: Location) -> Option<String> {
+    /// Whether a reference names one of several things; reports it if it does not.
+    pub(super) fn bind(&mut self, text: &str, known: &[String], what: &str, at: Location) -> bool {
         if known.iter().any(|name| name == text) {
-            return Some(text.to_owned());
+            return true;
         }
         let message = format!("there is no {what} `{text}`");
         let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
@@ -94,13 +99,7 @@ impl Context<'_> {
             }
         };
         self.diagnostics.push(fault);
-        None
-    }
-
-    /// Who set the value at `path`.
-    pub(super) fn provenance(&self, origin: &Origin, path: &str) -> Provenance {
-        let file = self.sources.get(origin.value(path).file);
-        if file.is_some_and(|file| file.embedded) { Provenance::Profile } else { Provenance::Device }
+        false
     }
 
     /// The numbers of the axes with the distance of their copy of an index from the first axis' one; no

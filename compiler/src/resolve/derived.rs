@@ -4,8 +4,8 @@ use super::entries::plain;
 use super::objects::Described;
 use super::{overlay, startup};
 use crate::model::{
-    Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Object, Pdo, Provenance,
-    Role, SyncManager, Value,
+    Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Object, Pdo, Role,
+    SyncManager, Value,
 };
 use crate::source::Origin;
 
@@ -30,9 +30,10 @@ pub(super) fn dictionary(
         objects.extend(basis.sync_managers.iter().filter_map(|manager| assignment(manager, basis)));
     }
     objects.sort_by_key(|object| object.index);
-    for (index, overlay) in overlays {
+    for overlay in overlays {
+        let index = overlay.index;
         let place = objects.binary_search_by_key(&index, |object| object.index).unwrap_or_else(|place| {
-            objects.insert(place, empty_assignment(index, overlay.object.origin.clone()));
+            objects.insert(place, empty_assignment(index, overlay.origin.clone()));
             place
         });
         if let Some(object) = objects.get_mut(place) {
@@ -55,9 +56,9 @@ fn object(index: Index, id: String, name: String, entries: Vec<Entry>, origin: &
         functional: true,
         parameter: None,
         entries,
-        provenance: Provenance::Derived,
+        derived: true,
         source: None,
-        origin: origin.clone(),
+        origin: origin.header_only(),
     }
 }
 

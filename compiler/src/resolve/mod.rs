@@ -6,50 +6,40 @@
 mod axes;
 mod configurations;
 mod context;
-mod control;
+mod coordinates;
 mod derived;
 mod device;
 mod entries;
-mod errors;
-mod facts;
 mod front;
-mod homing;
-mod ids;
-mod keys;
+mod kept;
 mod modes;
 mod names;
 mod numbered;
 mod objects;
 mod overlay;
-mod parameters;
 mod pdos;
-mod registers;
 mod startup;
-mod states;
-mod timing;
-mod transport;
+mod sync_managers;
 mod units;
 mod values;
 mod words;
 
 use crate::diagnostic::Diagnostics;
-use crate::model::Family;
-use crate::raw::{RawDevice, RawFamily};
-use crate::source::Sources;
+use crate::model::{Family, Shared};
+use crate::raw::RawDevice;
 
 /// Resolves all members of a family; none of it if one of them cannot be.
 pub(crate) fn resolve(
     id: &str,
-    family: Option<RawFamily>,
-    members: Vec<RawDevice>,
-    sources: &Sources,
+    mut members: Vec<RawDevice>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Family> {
-    let members: Vec<_> = members.into_iter().map(|raw| device::device(raw, sources, diagnostics)).collect();
-    if diagnostics.has_errors() || members.is_empty() {
+    let family = members.first_mut().and_then(|device| device.family.take());
+    let members: Vec<_> = members.into_iter().filter_map(|raw| device::device(raw, diagnostics)).collect();
+    if diagnostics.has_errors() {
         return None;
     }
-    let alone = members.first().map_or_else(String::new, |device| device.name.clone());
-    let (name, about) = family.map_or((alone, None), |family| (family.name, family.about));
+    let alone = members.first()?.name.clone();
+    let (name, about) = family.map_or((alone, None), |Shared { name, about, .. }| (name, about));
     Some(Family { id: id.to_owned(), name, about, members })
 }

@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::{ids, keys, numbered};
+use super::numbered;
+use crate::model::ids;
 use crate::model::{Address, Coordinates, Index};
-use crate::raw::{ObjectEntity, RawDevice};
+use crate::raw::{RawDevice, RawObject};
+use crate::source::keys;
 use crate::source::near::near;
 
 /// All objects that can be referred to, by id and by index, as they are on the first axis.
@@ -21,11 +23,10 @@ impl Names {
     pub(super) fn gather(raw: &RawDevice, coordinates: Option<Coordinates>) -> Self {
         let mut names = Self { coordinates, ..Self::default() };
         for object in &raw.objects {
-            if let Some(index) = names.key(&object.object.key) {
-                names.by_id.entry(object_id(object)).or_insert(index);
-                names.by_parameter.extend(parameters(object, index));
-                names.known.push(index);
-            }
+            let index = object.index;
+            names.by_id.entry(object_id(object)).or_insert(index);
+            names.by_parameter.extend(parameters(object));
+            names.known.push(index);
         }
         for pdo in raw.rx_pdos.iter().chain(&raw.tx_pdos) {
             names.known.extend(index(&pdo.key));
@@ -33,11 +34,6 @@ impl Names {
         names.known.extend([0x1C00, 0x1C12, 0x1C13].map(Index));
         names.known.sort();
         names
-    }
-
-    /// The index that the key of an object stands for: hexadecimal, or a coordinate of the vendor.
-    pub(super) fn key(&self, key: &str) -> Option<Index> {
-        index(key).or_else(|| self.coordinate(key).map(|address| address.index))
     }
 
     /// The address that a coordinate of the vendor stands for by the formula.
@@ -66,7 +62,7 @@ impl Names {
             Some(index) => Some(index).filter(|index| self.known.binary_search(index).is_ok()),
             None => self.by_id.get(object).copied(),
         };
-        let subindex = subindex_of(subindex);
+        let subindex = self::subindex(subindex);
         index
             .zip(subindex)
             .map(|(index, subindex)| Address { index, subindex })
@@ -75,25 +71,21 @@ impl Names {
 }
 
 /// The parameters behind an object and its entries.
-fn parameters(object: &ObjectEntity, index: Index) -> Vec<(String, Address)> {
-    let entries = object.entries.iter().flat_map(|entry| {
-        let range = keys::range::<u8>(&entry.key).filter(|_| entry.raw.parameter.is_some());
-        let parameter = entry.raw.parameter.as_deref().unwrap_or_default();
-        range
-            .into_iter()
-            .flatten()
-            .map(move |subindex| (numbered::of(parameter, subindex), Address { index, subindex }))
+fn parameters(object: &RawObject) -> Vec<(String, Address)> {
+    let index = object.index;
+    let entries =
+        object.entries.iter().filter_map(|entries| Some((entries.range, entries.value.parameter.as_ref()?)));
+    let entries = entries.flat_map(|((first, last), parameter)| {
+        let address = move |subindex| Address { index, subindex };
+        (first..=last).map(move |subindex| (numbered::of(parameter, subindex), address(subindex)))
     });
     let own = object.value.parameter.clone().map(|parameter| (parameter, Address { index, subindex: 0 }));
     entries.chain(own).collect()
 }
 
-/// The subindex of a reference: two hexadecimal digits as manuals print them, or a number.
-fn subindex_of(text: &str) -> Option<u8> {
-    if text.len() == 2 && text.starts_with('0') {
-        return u8::from_str_radix(text, 16).ok();
-    }
-    keys::number(text).and_then(|number| u8::try_from(number).ok())
+/// The subindex of a reference: hexadecimal, as ETG and CiA print it.
+pub(super) fn subindex(text: &str) -> Option<u8> {
+    u8::from_str_radix(text.strip_prefix("0x").unwrap_or(text), 16).ok().filter(|_| !text.starts_with('+'))
 }
 
 /// The index that a key such as `0x6040` stands for.
@@ -102,7 +94,7 @@ pub(super) fn index(key: &str) -> Option<Index> {
 }
 
 /// The word for an object: its id, or its name in kebab case, or its index.
-pub(super) fn object_id(object: &ObjectEntity) -> String {
-    let id = object.object.raw.id.clone();
-    id.or_else(|| object.value.name.as_deref().map(ids::id)).unwrap_or_else(|| object.object.key.clone())
+pub(super) fn object_id(object: &RawObject) -> String {
+    let id = object.head.id.clone();
+    id.or_else(|| object.value.name.as_deref().map(ids::id)).unwrap_or_else(|| object.key.clone())
 }

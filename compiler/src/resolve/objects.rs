@@ -1,15 +1,16 @@
 //! The described part of the dictionary.
 
 use super::context::Context;
-use super::{entries, facts, keys, names};
+use super::{entries, names};
 use crate::diagnostic::{Diagnostic, faults};
-use crate::model::{Category, Index, Kind, Object};
-use crate::raw::{ObjectEntity, RawCategory, RawKind};
+use crate::model::{Index, Kind, Object};
+use crate::raw::{RawObject, RawObjectHead};
+use crate::source::keys;
 
 /// What description says of objects that devc makes, by index.
 pub(super) struct Described {
     pub(super) objects: Vec<Object>,
-    pub(super) overlays: Vec<(Index, ObjectEntity)>,
+    pub(super) overlays: Vec<RawObject>,
 }
 
 /// How many entries a dictionary may have: more than any drive has, and few enough to be held in memory. A few lines
@@ -17,16 +18,12 @@ pub(super) struct Described {
 const MOST_ENTRIES: usize = 500_000;
 
 /// Resolves each described object on each axis; sets aside what is said of objects that devc makes.
-pub(super) fn objects(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Described {
+pub(super) fn objects(context: &mut Context<'_>, raw: Vec<RawObject>) -> Described {
     let mut described = Described { objects: Vec::new(), overlays: Vec::new() };
     for entity in within_limit(context, raw) {
-        let at = entity.object.origin.header();
-        let Some(index) = context.names.key(&entity.object.key) else {
-            context.invalid(&entity.object.key, "an index such as 0x6040", at);
-            continue;
-        };
-        if is_made(index) {
-            described.overlays.push((index, entity));
+        let index = entity.index;
+        if index.is_derived() {
+            described.overlays.push(entity);
             continue;
         }
         report_unknown_axes(context, &entity);
@@ -41,16 +38,14 @@ pub(super) fn objects(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Desc
 }
 
 /// The objects, or none if they would have too many entries on all axes together.
-fn within_limit(context: &mut Context<'_>, raw: Vec<ObjectEntity>) -> Vec<ObjectEntity> {
+fn within_limit(context: &mut Context<'_>, raw: Vec<RawObject>) -> Vec<RawObject> {
     let mut total = 0;
     let excess = raw.iter().find(|entity| {
-        let index = context.names.key(&entity.object.key);
-        let copies = index.map_or(0, |index| context.copies(index).len());
-        let ranges = entity.entries.iter().filter_map(|entry| keys::range::<u8>(&entry.key));
-        total += copies * (1 + ranges.map(Iterator::count).sum::<usize>());
+        let several = entity.entries.iter().map(|entries| usize::from(entries.range.1 - entries.range.0) + 1);
+        total += context.copies(entity.index).len() * (1 + several.sum::<usize>());
         total > MOST_ENTRIES
     });
-    let Some(at) = excess.map(|entity| entity.object.origin.header()) else { return raw };
+    let Some(at) = excess.map(|entity| entity.origin.header()) else { return raw };
     let message = format!("the dictionary has more than the {MOST_ENTRIES} entries that devc holds");
     let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, at, "too much with what stands before");
     context.diagnostics.push(match context.axes.len() {
@@ -66,13 +61,8 @@ pub(super) fn at(objects: &[Object], index: Index) -> Option<&Object> {
     objects.get(place)
 }
 
-/// Whether devc makes the object from PDOs and sync managers.
-fn is_made(index: Index) -> bool {
-    matches!(index.0, 0x1600..=0x17FF | 0x1A00..=0x1C00 | 0x1C10..=0x1C13)
-}
-
 /// The object as it is on an axis.
-fn on_axis<'e>(context: &Context<'_>, entity: &'e ObjectEntity, axis: Option<u8>) -> &'e ObjectEntity {
+fn on_axis<'e>(context: &Context<'_>, entity: &'e RawObject, axis: Option<u8>) -> &'e RawObject {
     let Some(axis) = axis else { return entity };
     let known = axis_names(context);
     let differing = entity
@@ -86,11 +76,11 @@ fn axis_names(context: &Context<'_>) -> Vec<String> {
     context.axes.iter().map(|axis| axis.name.clone()).collect()
 }
 
-fn report_unknown_axes(context: &mut Context<'_>, entity: &ObjectEntity) {
+fn report_unknown_axes(context: &mut Context<'_>, entity: &RawObject) {
     let known = axis_names(context);
     for (axes, _) in &entity.per_axis {
         if keys::names(axes, &known).is_none() {
-            let at = entity.object.origin.value("per-axis");
+            let at = entity.origin.value("per-axis");
             context.invalid(axes, &format!("an axis or a range of axes of {}", known.join(", ")), at);
         }
     }
@@ -108,35 +98,31 @@ fn report_duplicates(context: &mut Context<'_>, objects: &[Object]) {
     }
 }
 
-fn object(
-    context: &mut Context<'_>,
-    entity: &ObjectEntity,
-    index: Index,
-    axis: Option<u8>,
-) -> Option<Object> {
-    let ObjectEntity { object, value, entries: raw_entries, per_axis: _ } = entity;
-    let id = names::object_id(entity);
+fn object(context: &mut Context<'_>, raw: &RawObject, index: Index, axis: Option<u8>) -> Option<Object> {
+    let RawObject { key, index: _, head, value, entries, shared: _, per_axis: _, source, origin } = raw;
+    let RawObjectHead { id: _, kind, entries: _, per_axis: _ } = head;
+    let id = names::object_id(raw);
     let name = value.name.clone().unwrap_or_else(|| id.clone());
-    let entries = if raw_entries.is_empty() && object.raw.kind.is_none_or(|kind| kind == RawKind::Var) {
-        vec![entries::single(context, entity, index, &name)?]
-    } else {
-        entries::several(context, entity, index)?
+    let is_single = entries.is_empty() && kind.is_none_or(|kind| kind == Kind::Var);
+    let entries = match is_single {
+        true => vec![entries::single(context, raw, index, &name)?],
+        false => entries::several(context, raw, index)?,
     };
     Some(Object {
         index,
         id,
         name,
-        kind: kind(entity),
+        kind: kind.unwrap_or_else(|| self::kind(raw)),
         axis,
-        category: category(value.category),
+        category: value.category.unwrap_or_default(),
         about: value.about.clone(),
         note: value.note.clone(),
         functional: value.functional.unwrap_or(true),
-        parameter: value.parameter.clone().or_else(|| coordinate(context, &object.key)),
+        parameter: value.parameter.clone().or_else(|| coordinate(context, key)),
         entries,
-        provenance: context.provenance(&object.origin, "name"),
-        source: facts::source(context, &object.facts),
-        origin: object.origin.clone(),
+        derived: false,
+        source: source.clone(),
+        origin: origin.clone(),
     })
 }
 
@@ -145,22 +131,11 @@ fn coordinate(context: &Context<'_>, key: &str) -> Option<String> {
     context.names.coordinate(key).map(|_| key.to_owned())
 }
 
-/// What the object is made of, as written or as its entries look.
-fn kind(entity: &ObjectEntity) -> Kind {
-    match entity.object.raw.kind {
-        Some(RawKind::Var) => Kind::Var,
-        Some(RawKind::Array) => Kind::Array,
-        Some(RawKind::Record) => Kind::Record,
-        None if entity.entries.is_empty() => Kind::Var,
-        None if entity.entries.iter().any(|entry| entry.key.contains("..=")) => Kind::Array,
-        None => Kind::Record,
-    }
-}
-
-pub(super) fn category(raw: Option<RawCategory>) -> Category {
-    match raw {
-        Some(RawCategory::Mandatory) => Category::Mandatory,
-        Some(RawCategory::Conditional) => Category::Conditional,
-        Some(RawCategory::Optional) | None => Category::Optional,
+/// What an object is made of, by how its entries look.
+fn kind(raw: &RawObject) -> Kind {
+    match raw.entries.iter().any(|entries| entries.range.0 != entries.range.1) {
+        _ if raw.entries.is_empty() => Kind::Var,
+        true => Kind::Array,
+        false => Kind::Record,
     }
 }

@@ -1,62 +1,97 @@
 //! What a description says of an object that devc makes.
 
 use super::context::Context;
-use super::{entries, facts, keys};
+use super::entries::{Known, entry};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Entry, Object};
-use crate::raw::{Entity, ObjectEntity, RawEntry};
+use crate::raw::{RawEntries, RawEntry, RawObject, RawObjectHead};
+use crate::source::Location;
 
-/// Lays names, notes and times of writing over a derived object; what it consists of stays.
-pub(super) fn apply(context: &mut Context<'_>, object: &mut Object, overlay: ObjectEntity) {
-    let ObjectEntity { object: head, value, entries: described, per_axis: _ } = overlay;
-    if let Some(id) = head.raw.id {
-        object.id = id;
+/// Lays what is said over a made object. What it consists of follows from the PDOs and the sync managers: a statement
+/// about that is compared, or answered here.
+pub(super) fn apply(context: &mut Context<'_>, object: &mut Object, raw: RawObject) {
+    let RawObject { key: _, index: _, head, value, entries, shared, per_axis, source, origin } = raw;
+    let RawObjectHead { id, kind, entries: _, per_axis: _ } = head;
+    if kind.is_some_and(|kind| kind != object.kind) {
+        follows(context, object, "what it is made of", origin.value("kind"));
     }
-    if let Some(name) = &value.name {
-        object.name.clone_from(name);
+    if !per_axis.is_empty() {
+        follows(context, object, "what it is on each axis", origin.value("per-axis"));
     }
-    object.about = value.about.clone().or(object.about.take());
-    object.note = value.note.clone().or(object.note.take());
-    object.source = facts::source(context, &head.facts).or(object.source.take());
     for entry in &mut object.entries {
-        shared(entry, &value);
-    }
-    for raw in described {
-        own(context, object, raw);
-    }
-    object.origin = head.origin;
-}
-
-/// What holds for all entries.
-fn shared(entry: &mut Entry, value: &RawEntry) {
-    if value.access.is_some() {
-        entry.access = entries::access(value.access);
-    }
-    entry.written = value.written.clone().or(entry.written.take());
-}
-
-/// What holds for one entry.
-fn own(context: &mut Context<'_>, object: &mut Object, raw: Entity<RawEntry>) {
-    let Some(range) = keys::range::<u8>(&raw.key) else {
-        context.invalid(&raw.key, "a subindex from 0 to 255", raw.origin.header());
-        return;
-    };
-    for subindex in range {
-        let Some(entry) = object.entries.iter_mut().find(|entry| entry.address.subindex == subindex) else {
-            let message = format!("{} has no subindex {subindex}", object.index);
-            let fault =
-                Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, raw.origin.header(), "not there");
-            let from = "its entries follow from `[rx-pdos]`, `[tx-pdos]` and `[sync-managers]`";
-            context.diagnostics.push(fault.note(from));
-            continue;
-        };
-        shared(entry, &raw.raw);
-        entry.name = raw.raw.name.clone().unwrap_or_else(|| entry.name.clone());
-        entry.about = raw.raw.about.clone().or(entry.about.take());
-        entry.note = raw.raw.note.clone().or(entry.note.take());
-        // What is made stays; a rule compares it with what is written.
-        if raw.raw.default.is_some() {
-            entry.origin = raw.origin.clone();
+        match entry.address.subindex {
+            0 => count(entry, &shared.value),
+            _ => own(context, entry, &shared),
         }
     }
+    for described in &entries {
+        describe(context, object, described);
+    }
+    object.id = id.unwrap_or_else(|| object.id.clone());
+    object.name = value.name.unwrap_or_else(|| object.name.clone());
+    object.category = value.category.unwrap_or(object.category);
+    object.about = value.about;
+    object.note = value.note;
+    object.functional = value.functional.unwrap_or(true);
+    object.parameter = value.parameter;
+    object.source = source.or(object.source.take());
+    object.origin = origin;
+}
+
+/// Reports a statement about what follows from other tables.
+fn follows(context: &mut Context<'_>, object: &Object, what: &str, at: Location) {
+    let message = format!("{what} cannot be said of {}", object.index);
+    let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, at, "leave it out");
+    context.diagnostics.push(fault.note(FROM));
+}
+
+const FROM: &str = "it follows from `[rx-pdos]`, `[tx-pdos]` and `[sync-managers]`";
+
+/// What holds for subindex 0, too, if it is said of the whole object.
+fn count(entry: &mut Entry, shared: &RawEntry) {
+    entry.access = shared.access.unwrap_or(entry.access);
+    entry.written = shared.written.clone().or(entry.written.take());
+    entry.functional = shared.functional.unwrap_or(entry.functional);
+}
+
+/// What is said of some entries.
+fn describe(context: &mut Context<'_>, object: &mut Object, raw: &RawEntries) {
+    let (first, last) = raw.range;
+    for subindex in first..=last {
+        match object.entries.iter_mut().find(|entry| entry.address.subindex == subindex) {
+            Some(entry) => own(context, entry, raw),
+            None => {
+                let message = format!("{} has no subindex {subindex:02X}", object.index);
+                let at = raw.origin.header();
+                let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not there");
+                context.diagnostics.push(fault.note(FROM));
+            }
+        }
+    }
+}
+
+/// What is said of one entry; its type and its default stay what they are. A rule compares the default.
+fn own(context: &mut Context<'_>, made: &mut Entry, raw: &RawEntries) {
+    let name = raw.value.name.clone().unwrap_or_else(|| made.name.clone());
+    let many = raw.range.0 != raw.range.1;
+    let known = Known { address: made.address, name: &name, data_type: Some(made.data_type), many };
+    let Some(said) = entry(context, known, &raw.value, &raw.origin) else { return };
+    if said.data_type != made.data_type {
+        let message =
+            format!("{} is said to be {}, but it is {}", made.address, said.data_type, made.data_type);
+        let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, raw.origin.value("type"), "leave it out");
+        context.diagnostics.push(fault.note(FROM));
+    }
+    *made = Entry {
+        id: made.id.clone(),
+        data_type: made.data_type,
+        default: made.default.take(),
+        access: raw.value.access.unwrap_or(made.access),
+        category: raw.value.category.unwrap_or(made.category),
+        about: said.about.or(made.about.take()),
+        note: said.note.or(made.note.take()),
+        written: said.written.or(made.written.take()),
+        source: raw.source.clone(),
+        ..said
+    };
 }

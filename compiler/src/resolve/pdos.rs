@@ -3,11 +3,11 @@
 use std::ops::RangeInclusive;
 
 use super::context::Context;
-use super::ids::Siblings;
-use super::{facts, names, objects};
+use super::{names, objects};
 use crate::diagnostic::{Diagnostic, faults};
+use crate::model::ids::{self, Siblings};
 use crate::model::{Address, Direction, Index, Mapped, Object, Pdo};
-use crate::raw::{Entity, RawMapped, RawPdo};
+use crate::raw::{RawMapped, RawPdo};
 use crate::source::{Location, Origin};
 
 /// What a sync manager can carry: its length is a number of bytes in 16 bits.
@@ -16,7 +16,7 @@ const MAX_BITS: u32 = u16::MAX as u32 * 8;
 /// The PDOs of a direction, by index.
 pub(super) fn pdos(
     context: &mut Context<'_>,
-    raw: &[Entity<RawPdo>],
+    raw: &[RawPdo],
     direction: Direction,
     objects: &[Object],
 ) -> Vec<Pdo> {
@@ -53,13 +53,8 @@ fn range(direction: Direction) -> RangeInclusive<u16> {
 }
 
 /// Why the last axis can have no copy of a PDO, if it cannot.
-fn beyond(
-    context: &Context<'_>,
-    entity: &Entity<RawPdo>,
-    index: Index,
-    direction: Direction,
-) -> Option<Diagnostic> {
-    let others = context.axes.last().filter(|_| entity.raw.per_axis)?.number;
+fn beyond(context: &Context<'_>, entity: &RawPdo, index: Index, direction: Direction) -> Option<Diagnostic> {
+    let others = context.axes.last().filter(|_| entity.per_axis)?.number;
     let last = u32::from(index.0) + u32::from(context.pdo_shift) * u32::from(others);
     let end = *range(direction).end();
     (last > u32::from(end)).then(|| {
@@ -78,12 +73,8 @@ fn expected(direction: Direction) -> &'static str {
 }
 
 /// The axes that have a copy of a PDO, with its index there.
-pub(super) fn copies(
-    context: &Context<'_>,
-    entity: &Entity<RawPdo>,
-    index: Index,
-) -> Vec<(Option<u8>, Index)> {
-    if !entity.raw.per_axis {
+pub(super) fn copies(context: &Context<'_>, entity: &RawPdo, index: Index) -> Vec<(Option<u8>, Index)> {
+    if !entity.per_axis {
         return vec![(None, index)];
     }
     let axes = context.axes.iter().map(|axis| axis.number);
@@ -114,42 +105,57 @@ fn report_duplicates(context: &mut Context<'_>, pdos: &[Pdo]) {
 
 fn pdo(
     context: &mut Context<'_>,
-    entity: &Entity<RawPdo>,
+    entity: &RawPdo,
     index: Index,
     axis: Option<u8>,
     direction: Direction,
     objects: &[Object],
 ) -> Pdo {
-    let Entity { raw, origin, facts, .. } = entity;
-    let distance = index.0.wrapping_sub(names::index(&entity.key).map_or(index.0, |index| index.0));
+    let RawPdo {
+        key,
+        name,
+        per_axis: _,
+        entries,
+        fixed,
+        mandatory,
+        excludes,
+        mode,
+        total,
+        max_bytes,
+        max_entries,
+        about,
+        source,
+        origin,
+    } = entity;
+    let distance = index.0.wrapping_sub(names::index(key).map_or(index.0, |index| index.0));
     Pdo {
         index,
         direction,
-        name: raw.name.clone(),
+        name: name.clone(),
         axis,
-        entries: mapped(context, &raw.entries, origin, "entries", axis, objects),
-        fixed: raw.fixed.unwrap_or(true),
-        mandatory: raw.mandatory,
-        excludes: excludes(context, raw, origin, distance, direction),
-        mode: raw.mode,
-        total: raw.total,
-        max_bytes: raw.max_bytes,
-        max_entries: raw.max_entries,
-        about: raw.about.clone(),
-        source: facts::source(context, facts),
+        entries: mapped(context, entries, origin, "entries", axis, objects),
+        fixed: fixed.unwrap_or(true),
+        mandatory: *mandatory,
+        excludes: self::excludes(context, excludes, origin, distance, direction),
+        mode: *mode,
+        total: *total,
+        max_bytes: *max_bytes,
+        max_entries: *max_entries,
+        about: about.clone(),
+        source: source.clone(),
         origin: origin.clone(),
     }
 }
 
 fn excludes(
     context: &mut Context<'_>,
-    raw: &RawPdo,
+    raw: &[String],
     origin: &Origin,
     distance: u16,
     direction: Direction,
 ) -> Vec<Index> {
     let mut excludes = Vec::new();
-    for (i, text) in raw.excludes.iter().enumerate() {
+    for (i, text) in raw.iter().enumerate() {
         let pdo = names::index(text).filter(|index| in_range(*index, direction));
         match pdo.filter(|_| context.names.find(text).is_ok()) {
             Some(index) => excludes.push(Index(index.0.wrapping_add(distance))),
@@ -225,7 +231,7 @@ fn one(
         }
         (None, Some(address), Some(_)) => {
             let name = raw.name.clone().unwrap_or_else(|| address.to_string());
-            Some(Mapped { address: Some(address), id: super::ids::id(&name), name, ..padding })
+            Some(Mapped { address: Some(address), id: ids::id(&name), name, ..padding })
         }
         _ => {
             // Once is enough: what is not there on the first axis is not there on the others.
@@ -249,6 +255,6 @@ fn find(objects: &[Object], address: Address) -> Option<(&Object, &crate::model:
 fn absent(context: &Context<'_>, text: &str, axis: Option<u8>) -> Option<Address> {
     let (index, subindex) = text.split_once(':').unwrap_or((text, "0"));
     let index = names::index(index)?;
-    let subindex = u8::from_str_radix(subindex, 16).ok()?;
+    let subindex = names::subindex(subindex)?;
     Some(context.on_axis(Address { index, subindex }, axis))
 }

@@ -94,7 +94,8 @@ fn mode(configuration: &Configuration, index: Option<Index>) -> Option<SdoWrite>
 
 /// 0x60C2 counts in powers of ten of a second: the largest unit in which the time is a whole number.
 fn cycle(configuration: &Configuration, index: Option<Index>) -> Vec<SdoWrite> {
-    let (Some(ns), Some(index)) = (configuration.cycle_ns.filter(|ns| *ns > 0), index) else {
+    let (Some(ns), Some(index)) = (configuration.cycle_time.map(|time| time.0).filter(|ns| *ns > 0), index)
+    else {
         return Vec::new();
     };
     let mut count = ns;

@@ -1,35 +1,34 @@
 //! Units and scaling.
 
 use super::context::Context;
-use super::{facts, keys};
-use crate::model::{AxisUnit, Path, Scale, Unit};
-use crate::raw::{Entity, Fraction, RawPath, RawUnit};
+use crate::model::{AxisUnit, Fraction, Scale, Unit};
+use crate::raw::RawUnit;
+use crate::source::keys;
 
 /// The units, in the order in which they were written.
-pub(super) fn units(context: &mut Context<'_>, raw: Vec<Entity<RawUnit>>) -> Vec<Unit> {
-    raw.into_iter().map(|entity| unit(context, entity)).collect()
+pub(super) fn units(context: &mut Context<'_>, raw: Vec<RawUnit>) -> Vec<Unit> {
+    raw.into_iter().map(|raw| unit(context, raw)).collect()
 }
 
-fn unit(context: &mut Context<'_>, entity: Entity<RawUnit>) -> Unit {
-    let axes = axes(context, &entity);
-    let Entity { key, origin, raw, facts } = entity;
-    Unit {
-        id: key,
-        quantity: raw.quantity,
-        axes,
-        factor: raw.factor.and_then(|factor| context.address(&factor, origin.value("factor"))),
-        path: raw.path.map(|path| match path {
-            RawPath::Pdo => Path::Pdo,
-            RawPath::Sdo => Path::Sdo,
-        }),
-        about: raw.about,
-        source: facts::source(context, &facts),
+fn unit(context: &mut Context<'_>, raw: RawUnit) -> Unit {
+    let axes = axes(context, &raw);
+    let RawUnit {
+        key: id,
+        quantity,
+        symbol: _,
+        raw_per_unit: _,
+        factor,
+        path,
+        per_axis: _,
+        about,
+        source,
         origin,
-    }
+    } = raw;
+    let factor = factor.and_then(|factor| context.address(&factor, origin.value("factor")));
+    Unit { id, quantity, axes, factor, path, about, source, origin }
 }
 
-fn axes(context: &mut Context<'_>, entity: &Entity<RawUnit>) -> Vec<AxisUnit> {
-    let raw = &entity.raw;
+fn axes(context: &mut Context<'_>, raw: &RawUnit) -> Vec<AxisUnit> {
     let shared = AxisUnit { symbol: raw.symbol.clone(), scale: raw.raw_per_unit.map(lowest) };
     if raw.per_axis.is_empty() {
         return vec![shared];
@@ -39,7 +38,7 @@ fn axes(context: &mut Context<'_>, entity: &Entity<RawUnit>) -> Vec<AxisUnit> {
     for (key, differing) in &raw.per_axis {
         let Some(range) = keys::names(key, &names) else {
             let expected = format!("an axis or a range of axes of {}", names.join(", "));
-            context.invalid(key, &expected, entity.origin.value("per-axis"));
+            context.invalid(key, &expected, raw.origin.value("per-axis"));
             continue;
         };
         for axis in axes.get_mut(range).into_iter().flatten() {

@@ -1,13 +1,8 @@
-//! Literals in the type they are for, and what values mean.
-
-use std::collections::BTreeMap;
+//! Literals in the type they are for.
 
 use super::context::Context;
-use super::ids::Siblings;
-use super::keys;
 use crate::diagnostic::{Diagnostic, faults};
-use crate::model::{DataType, Meaning, Value};
-use crate::raw::{Literal, RawField};
+use crate::model::{DataType, Literal, Value};
 use crate::source::Origin;
 
 /// The value that a literal is in a type, or a report that it does not fit.
@@ -75,31 +70,4 @@ pub(super) fn text_length(default: Option<&Literal>) -> u16 {
         Some(Literal::Text(text)) => u16::try_from(text.len()).unwrap_or(u16::MAX).max(1),
         _ => 1,
     }
-}
-
-/// What single values mean, by value.
-pub(super) fn meanings(
-    context: &mut Context<'_>,
-    raw: &BTreeMap<String, RawField>,
-    origin: &Origin,
-    path: &str,
-) -> Vec<Meaning> {
-    let mut ids = Siblings::default();
-    let mut numbered: Vec<(i64, &RawField)> = Vec::new();
-    for (key, field) in raw {
-        match keys::number(key) {
-            Some(value) => numbered.push((value, field)),
-            None => context.invalid(key, "a whole number", origin.value(&format!("{path}.{key}"))),
-        }
-    }
-    numbered.sort_by_key(|(value, _)| *value);
-    numbered
-        .into_iter()
-        .map(|(value, field)| Meaning {
-            value,
-            id: ids.claim(&field.name),
-            name: field.name.clone(),
-            about: field.about.clone(),
-        })
-        .collect()
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::loader::{MAX_SIZE, shown, similar};
 use super::parse::parse;
 use super::settings::Settings;
-use super::{Loader, Location, SourceFile, Sources, Table};
+use super::{Layer, Loader, Location, SourceFile, Sources, Table};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 
 /// How many files may include one another in a row.
@@ -70,7 +70,7 @@ impl<'a> Reader<'a> {
         let file = self.sources.add(SourceFile { path: name.clone(), text, embedded: false });
         self.files.push(path.to_owned());
         let text = self.sources.get(file).map_or("", |file| file.text.as_str());
-        let mut table = parse(file, text, self.diagnostics);
+        let mut table = parse(file, text, Layer::Description, self.diagnostics);
         let settings = Settings::take(&mut table, self.diagnostics);
         let includes = settings.include.clone();
         self.parts.push(Part { table, settings });

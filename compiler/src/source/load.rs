@@ -9,7 +9,7 @@ use super::merge::{merge, with_default_source};
 use super::near::{list, near};
 use super::parse::parse;
 use super::settings::Settings;
-use super::{Loader, Location, SourceFile, Sources, Table};
+use super::{Layer, Loader, Location, SourceFile, Sources, Table};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 
 /// The file of a description that is given by its folder.
@@ -115,7 +115,7 @@ fn layer(
 fn read_profile(profile: &Profile, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Table {
     let path = format!("<profile {}>", profile.name);
     let file = sources.add(SourceFile { path, text: profile.text.to_owned(), embedded: true });
-    let mut table = parse(file, profile.text, diagnostics);
+    let mut table = parse(file, profile.text, Layer::Profile, diagnostics);
     let settings = Settings::take(&mut table, diagnostics);
     with_default_source(table, settings.source.as_ref())
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Key, Member, Node, Table, Value};
+use super::{CanonicalKey, Key, Member, Node, Table, Value};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 
 /// Adds the sections of a file to those of the files before it.
@@ -22,10 +22,10 @@ fn join(first: &mut Member, second: Member, diagnostics: &mut Diagnostics) {
     match (&mut first.node.value, second.node.value) {
         (Value::Table(first), Value::Table(second)) => {
             let first = Arc::make_mut(first);
-            let keys = first.members.iter().map(|member| (member.key.name.clone(), member.key.clone()));
-            let known: BTreeMap<Arc<str>, Key> = keys.collect();
+            let keys = first.members.iter().map(|member| (member.key.canonical.clone(), member.key.clone()));
+            let known: BTreeMap<CanonicalKey, Key> = keys.collect();
             for member in second.members.iter().cloned() {
-                match known.get(&member.key.name) {
+                match known.get(&member.key.canonical) {
                     Some(other) => diagnostics.push(twice(other, &member.key)),
                     None => first.members.push(member),
                 }

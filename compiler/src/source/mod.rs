@@ -5,6 +5,7 @@
 
 mod duplicate;
 mod include;
+pub(crate) mod keys;
 mod load;
 mod loader;
 mod merge;
@@ -19,7 +20,8 @@ mod tree;
 pub use load::{Document, MAIN_FILE, Profile, load};
 pub use loader::{Disk, Loader, MAX_SIZE, Memory};
 pub use origin::Origin;
-pub use tree::{Key, Member, Node, Table, Value};
+pub(crate) use origin::parts;
+pub use tree::{CanonicalKey, Key, Layer, Member, Node, Table, Value};
 
 /// A file of one compilation, by its place in [`Sources`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

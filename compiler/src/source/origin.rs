@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Location, Node, Table, Value};
+use super::{Layer, Location, Member, Node, Table, Value};
 
 /// The table an entity was read from, kept beside the entity so that a message can point into it.
 ///
@@ -21,9 +21,21 @@ impl Origin {
         Self { header, table }
     }
 
+    /// The same place for something that follows from the entity, of which its table says nothing.
+    #[must_use]
+    pub fn header_only(&self) -> Self {
+        let at = self.table.at;
+        Self { header: self.header, table: Arc::new(Table { at, members: Vec::new() }) }
+    }
+
     /// Where the entity is named.
     pub fn header(&self) -> Location {
         self.header
+    }
+
+    /// The table.
+    pub fn table(&self) -> &Arc<Table> {
+        &self.table
     }
 
     /// Where the value at `path` was set (`"max"`, `"entries.0x01.type"`); the header if nothing set it.
@@ -36,35 +48,57 @@ impl Origin {
         self.node(path).is_some()
     }
 
+    /// Who set the value at `path`, if one was set.
+    pub fn layer(&self, path: &str) -> Option<Layer> {
+        self.member(path).map(|member| member.layer)
+    }
+
     /// The value of the layer below at `path`, if the description replaced it by its own: a profile's, or one
     /// of its own that differs for a member of a family or on an axis.
     pub fn under(&self, path: &str) -> Option<&Node> {
-        match parts(path)
-            .last()
-            .map(|key| (path.strip_suffix(key).and_then(|rest| rest.strip_suffix('.')), key))
-        {
-            Some((Some(table), key)) => self.node(table)?.table()?.get(key)?.under.as_deref(),
-            _ => self.table.get(path)?.under.as_deref(),
-        }
+        self.member(path)?.under.as_deref()
     }
 
     /// The value at `path`, if one was set.
     pub fn node(&self, path: &str) -> Option<&Node> {
         let mut parts = parts(path);
-        let mut node = &self.table.get(parts.next()?)?.node;
-        for part in parts {
-            node = match &node.value {
-                Value::Table(table) => &table.get(part)?.node,
-                Value::Array(items) => items.get(part.parse::<usize>().ok()?)?,
-                _ => return None,
-            };
-        }
-        Some(node)
+        let node = &self.table.get(parts.next()?)?.node;
+        parts.try_fold(node, inner)
+    }
+
+    /// The innermost key of `path` with its value; for the element of a list, the key of the list.
+    fn member(&self, path: &str) -> Option<&Member> {
+        let mut parts = parts(path);
+        let member = self.table.get(parts.next()?)?;
+        let last = parts.try_fold((member, &member.node), |(member, node), part| {
+            let table = node.table();
+            match table {
+                Some(table) => table.get(part).map(|member| (member, &member.node)),
+                None => inner(node, part).map(|node| (member, node)),
+            }
+        });
+        last.map(|(member, _)| member)
+    }
+}
+
+/// What a table or a list has under a key.
+fn inner<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
+    match &node.value {
+        Value::Table(table) => table.get(key).map(|member| &member.node),
+        Value::Array(items) => items.get(key.parse::<usize>().ok()?),
+        _ => None,
+    }
+}
+
+impl Default for Origin {
+    fn default() -> Self {
+        let nowhere = Location { file: super::FileId(0), start: 0, end: 0 };
+        Self { header: nowhere, table: Arc::new(Table { at: nowhere, members: Vec::new() }) }
     }
 }
 
 /// The keys of a path; the dots of a range such as `0..=3` are part of its key.
-fn parts(path: &str) -> impl Iterator<Item = &str> {
+pub(crate) fn parts(path: &str) -> impl Iterator<Item = &str> {
     let bytes = path.as_bytes();
     let is_dot = |place: Option<usize>| place.and_then(|place| bytes.get(place)) == Some(&b'.');
     let ends = path.match_indices('.').map(|(place, _)| place);

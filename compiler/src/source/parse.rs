@@ -1,6 +1,7 @@
 //! Text to [`Table`].
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::num::IntErrorKind;
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,15 +10,15 @@ use toml::Spanned;
 use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
 
 use super::duplicate::first_definition;
-use super::{FileId, Key, Location, Member, Node, Table, Value};
+use super::{CanonicalKey, FileId, Key, Layer, Location, Member, Node, Table, Value};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 
 /// Reads a text as TOML and reports every syntax error in it.
 ///
-/// What can be read in spite of the errors is in the table.
-pub(crate) fn parse(file: FileId, text: &str, diagnostics: &mut Diagnostics) -> Table {
+/// What can be read in spite of the errors is in the table, as set by `layer`.
+pub(crate) fn parse(file: FileId, text: &str, layer: Layer, diagnostics: &mut Diagnostics) -> Table {
     let (root, errors) = DeTable::parse_recoverable(text);
-    let mut parser = Parser { file, diagnostics };
+    let mut parser = Parser { file, layer, diagnostics };
     for error in errors {
         parser.syntax_error(text, &error);
     }
@@ -26,6 +27,7 @@ pub(crate) fn parse(file: FileId, text: &str, diagnostics: &mut Diagnostics) -> 
 
 struct Parser<'a> {
     file: FileId,
+    layer: Layer,
     diagnostics: &'a mut Diagnostics,
 }
 
@@ -34,12 +36,31 @@ impl Parser<'_> {
         let mut members: Vec<Member> = table.iter().map(|(key, value)| self.member(key, value)).collect();
         // The parser sorts by name; people wrote in an order of their own.
         members.sort_by_key(|member| member.key.at.start);
+        self.same_numbers(&mut members);
         Table { at: self.at(at), members }
     }
 
+    /// Reports numbers that are a key twice, in two spellings, and keeps the first.
+    fn same_numbers(&mut self, members: &mut Vec<Member>) {
+        let mut known: BTreeMap<CanonicalKey, Key> = BTreeMap::new();
+        members.retain(|member| {
+            let CanonicalKey::Range(..) = member.key.canonical else { return true };
+            let first = known.get(&member.key.canonical);
+            if let Some(first) = first {
+                let message = format!("`{}` and `{}` are the same key", first.name, member.key.name);
+                let fault =
+                    Diagnostic::new(&faults::DUPLICATE_DEFINITION, message, member.key.at, "again here");
+                self.diagnostics.push(fault.label(first.at, "first here").help("keep one of the two"));
+                return false;
+            }
+            known.insert(member.key.canonical.clone(), member.key.clone());
+            true
+        });
+    }
+
     fn member(&mut self, key: &Spanned<Cow<'_, str>>, value: &Spanned<DeValue<'_>>) -> Member {
-        let key = Key { name: Arc::from(&**key.get_ref()), at: self.at(key.span()) };
-        Member { key, node: self.node(value), under: None }
+        let key = Key::new(key.get_ref(), self.at(key.span()));
+        Member { key, node: self.node(value), layer: self.layer, under: None }
     }
 
     fn node(&mut self, value: &Spanned<DeValue<'_>>) -> Node {

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Location;
+use super::keys::range;
 
 /// A value and its place.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +44,30 @@ pub struct Key {
     pub name: Arc<str>,
     /// Where it stands.
     pub at: Location,
+    /// What it stands for.
+    pub canonical: CanonicalKey,
+}
+
+/// What a key stands for: `0x23` and `35` are two spellings of one key.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CanonicalKey {
+    /// A number, or a range of numbers.
+    Range(i64, i64),
+    /// A word.
+    Word(Arc<str>),
+}
+
+/// Who set a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Layer {
+    /// A profile.
+    Profile,
+    /// The description of the device.
+    Description,
+    /// An erratum in place of what is printed, by its number in the list.
+    Corrected(u16),
+    /// The description, against an erratum that does not know what holds, by its number in the list.
+    Contradicted(u16),
 }
 
 /// A key with its value.
@@ -52,6 +77,8 @@ pub struct Member {
     pub key: Key,
     /// The value.
     pub node: Node,
+    /// Who set it.
+    pub layer: Layer,
     /// The value of the layer below that this one replaced.
     pub under: Option<Arc<Node>>,
 }
@@ -80,6 +107,23 @@ impl Value {
     }
 }
 
+impl Key {
+    /// A key as it is written at a place.
+    pub fn new(name: &str, at: Location) -> Self {
+        Self { name: Arc::from(name), at, canonical: CanonicalKey::of(name) }
+    }
+}
+
+impl CanonicalKey {
+    /// What a text stands for as a key.
+    pub fn of(name: &str) -> Self {
+        match range::<i64>(name) {
+            Some(range) => Self::Range(*range.start(), *range.end()),
+            None => Self::Word(Arc::from(name)),
+        }
+    }
+}
+
 impl Node {
     /// The table, if this is one.
     pub fn table(&self) -> Option<&Arc<Table>> {
@@ -91,9 +135,20 @@ impl Node {
 }
 
 impl Table {
-    /// The member of this name.
+    /// The member of this name, in whatever spelling of a number.
     pub fn get(&self, name: &str) -> Option<&Member> {
-        self.members.iter().find(|member| &*member.key.name == name)
+        self.position(name).and_then(|place| self.members.get(place))
+    }
+
+    /// The place among the members of the one of this name.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        match range::<i64>(name) {
+            None => self.members.iter().position(|member| &*member.key.name == name),
+            Some(range) => {
+                let meant = CanonicalKey::Range(*range.start(), *range.end());
+                self.members.iter().position(|member| member.key.canonical == meant)
+            }
+        }
     }
 
     /// This table laid over `base`: tables merge member by member, everything else in `base` is replaced.
@@ -101,13 +156,13 @@ impl Table {
     /// Members keep the order of `base`, what only this table has follows; the place of the whole is this
     /// table's.
     pub fn over(&self, base: &Table) -> Table {
-        let mut own: BTreeMap<&str, &Member> =
-            self.members.iter().map(|member| (&*member.key.name, member)).collect();
+        let mut own: BTreeMap<&CanonicalKey, &Member> =
+            self.members.iter().map(|member| (&member.key.canonical, member)).collect();
         let mut laid = |lower: &Member| {
-            own.remove(&*lower.key.name).map_or_else(|| lower.clone(), |upper| upper.over(lower))
+            own.remove(&lower.key.canonical).map_or_else(|| lower.clone(), |upper| upper.over(lower))
         };
         let mut members: Vec<Member> = base.members.iter().map(&mut laid).collect();
-        members.extend(self.members.iter().filter(|member| own.contains_key(&*member.key.name)).cloned());
+        members.extend(self.members.iter().filter(|member| own.contains_key(&member.key.canonical)).cloned());
         Table { at: self.at, members }
     }
 }
@@ -120,6 +175,6 @@ impl Member {
             }
             _ => self.node.clone(),
         };
-        Member { key: self.key.clone(), node, under: Some(Arc::new(base.node.clone())) }
+        Member { key: self.key.clone(), node, layer: self.layer, under: Some(Arc::new(base.node.clone())) }
     }
 }

@@ -116,7 +116,7 @@ fn control_bits_are_those_of_the_manual() {
     for row in rows::<c887::ControlBit>() {
         let mode = row.mode.map(|code| {
             let mode = device().modes.iter().find(|mode| mode.code == i16::from(code));
-            &mode.expect("the mode is described").control_bits.fields
+            &mode.expect("the mode is described").control_bits
         });
         let found = field(mode.unwrap_or(&word.fields), row.bit);
         let reserved = row.name == "reserved";
@@ -133,7 +133,7 @@ fn status_bits_are_those_of_the_manual() {
     for row in rows::<c887::StatusBit>() {
         let mode = row.mode.map(|code| {
             let mode = device().modes.iter().find(|mode| mode.code == i16::from(code));
-            &mode.expect("the mode is described").status_bits.fields
+            &mode.expect("the mode is described").status_bits
         });
         let found = field(mode.unwrap_or(&word.fields), row.bit);
         let found =

@@ -213,7 +213,7 @@ fn other_objects_are_assumed() {
         let key = object.index.to_string();
         let parameter = object.parameter.as_deref().unwrap_or(&key);
         let assumed = |at: &str| at.starts_with(&key) || at.starts_with(parameter);
-        !device().assumptions.iter().any(|assumption| assumed(&assumption.at))
+        !device().assumptions.iter().any(|assumption| assumed(&assumption.at.to_string()))
     });
     let why = "follows from the PDOs, of which some is assumed";
     let derived = [0x1C00, 0x1C12, 0x1C13];

@@ -14,8 +14,8 @@ fn mode(code: i8) -> &'static Mode {
 
 fn fields(mode: &'static Mode, word: Word) -> &'static [Field] {
     match word {
-        Word::Control => &mode.control_bits.fields,
-        Word::Status => &mode.status_bits.fields,
+        Word::Control => &mode.control_bits,
+        Word::Status => &mode.status_bits,
     }
 }
 
@@ -66,8 +66,8 @@ fn bits_of_modes_are_those_of_the_tables() {
         let described: BTreeSet<_> = device().modes.iter().flat_map(bit).collect();
         described.symmetric_difference(&printed).copied().collect()
     };
-    departs(places(Word::Control, |mode| &mode.control_bits.fields), []);
-    departs(places(Word::Status, |mode| &mode.status_bits.fields), []);
+    departs(places(Word::Control, |mode| &mode.control_bits), []);
+    departs(places(Word::Status, |mode| &mode.status_bits), []);
 }
 
 #[test]

@@ -13,7 +13,8 @@ fn cycle_times_are_those_of_table_29() {
         let rows = rows::<pmc_sc6::CycleTime>().into_iter().filter(|row| row.signal == signal);
         let printed: Vec<_> = rows.map(|row| u64::from(row.cycle_us) * 1000).collect();
         let described = device().cycle_times.iter().find(|cycle| cycle.name == signal);
-        assert_eq!(described.map(|cycle| &cycle.choices_ns), Some(&printed), "{signal}");
+        let choices = described.map(|cycle| cycle.choices.iter().map(|choice| choice.0).collect());
+        assert_eq!(choices, Some(printed), "{signal}");
         let parameter = fact("application-cycle");
         let about = described.and_then(|cycle| cycle.about.as_deref()).unwrap_or_default();
         assert!(about.contains(parameter), "{about}");
@@ -31,7 +32,7 @@ fn cycle_times_are_those_of_table_29() {
 fn start_up_lists_write_in_the_transitions_of_the_text() {
     let assumed = |id: &str| {
         let at = format!("communication-transitions.{id}");
-        device().assumptions.iter().any(|assumption| assumption.at == at)
+        device().assumptions.iter().any(|assumption| assumption.at.to_string() == at)
     };
     let stated = device().communication_transitions.iter().filter(|transition| !assumed(&transition.id));
     let described: BTreeSet<_> = stated.map(|transition| transition.id.as_str()).collect();
@@ -124,7 +125,7 @@ fn levels_of_access_are_those_of_the_text() {
 fn the_mailbox_carries_what_the_text_names() {
     for device in &family().members {
         let mailbox = device.mailbox.as_ref().expect("there is one");
-        assert_eq!(mailbox.protocols.iter().any(|it| it == "EoE"), fact("eoe") == "yes");
+        assert_eq!(mailbox.protocols.iter().any(|it| it.name() == "EoE"), fact("eoe") == "yes");
     }
     for key in ["drive-software", "firmware"] {
         assert!(device().about.as_ref().is_some_and(|about| about.contains(fact(key))), "{key}");

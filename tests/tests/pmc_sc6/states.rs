@@ -35,7 +35,7 @@ fn commands_are_those_of_table_5() {
 fn transitions_join_the_states_of_the_text() {
     for row in rows::<pmc_sc6::Transition>() {
         let transition = transition(row.transition);
-        assert_eq!(transition.from, [state(row.from).id.as_str()], "transition {}", row.transition);
+        assert_eq!(*transition.from, [state(row.from).id.as_str()], "transition {}", row.transition);
         assert_eq!(transition.to, state(row.to).id, "transition {}", row.transition);
         assert!(transition.supported);
     }

@@ -34,5 +34,5 @@ rule! {
     /// access = "ro"
     /// ```
     pub(crate) static DUPLICATE_DEFINITION = "duplicate-definition", Format, Fatal,
-        "two files define the same thing";
+        "one thing is defined twice";
 }

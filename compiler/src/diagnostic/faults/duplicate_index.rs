@@ -7,8 +7,8 @@ rule! {
     /// ## Fires
     /// ```toml
     /// [objects.0x2000.entries]
-    /// 1 = { name = "Gain", type = "UINT16" }
-    /// 0x01 = { name = "Offset", type = "UINT16" }
+    /// "1..=2" = { name = "Gain", type = "UINT16" }
+    /// 2 = { name = "Offset", type = "UINT16" }
     /// ```
     ///
     /// ## Silent

@@ -21,5 +21,5 @@ fn op_mode(mode: &SyncMode) -> Element {
 
 /// A period of 0 ns leaves it to the factor: so many cycles of the master.
 fn times(signal: &SyncSignal, cycle: &'static str, shift: &'static str) -> [Element; 2] {
-    [Element::leaf(cycle, 0).with("Factor", signal.cycles), Element::leaf(shift, signal.shift_ns)]
+    [Element::leaf(cycle, 0).with("Factor", signal.cycles), Element::leaf(shift, signal.shift.0)]
 }

@@ -1,7 +1,7 @@
 //! `Mailbox`: the protocols beside process data.
 
 use super::element::Element;
-use crate::model::{Device, Index, Mailbox};
+use crate::model::{Device, Index, Mailbox, Protocol};
 
 /// Where a device keeps its diagnosis messages, if it keeps any.
 const DIAGNOSIS_HISTORY: Index = Index(0x10F3);
@@ -9,9 +9,12 @@ const DIAGNOSIS_HISTORY: Index = Index(0x10F3);
 /// The mailbox, if the device has one. The protocols stand in the order that the schema demands.
 pub(super) fn mailbox(device: &Device) -> Option<Element> {
     let mailbox = device.mailbox.as_ref()?;
-    let protocols = ["AoE", "EoE", "CoE", "FoE", "SoE", "VoE"].into_iter();
-    let spoken = protocols.filter(|name| mailbox.protocols.iter().any(|protocol| protocol == name));
-    let elements = spoken.map(|name| if name == "CoE" { coe(device, mailbox) } else { Element::new(name) });
+    let order = [Protocol::Eoe, Protocol::Coe, Protocol::Foe, Protocol::Soe, Protocol::Voe].into_iter();
+    let spoken = order.filter(|protocol| mailbox.protocols.contains(protocol));
+    let elements = spoken.map(|protocol| match protocol {
+        Protocol::Coe => coe(device, mailbox),
+        other => Element::new(other.name()),
+    });
     Some(Element::new("Mailbox").with_flag("DataLinkLayer", true).children(elements))
 }
 

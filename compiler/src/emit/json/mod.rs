@@ -20,7 +20,7 @@ pub use schema::schema;
 pub const FORMAT: &str = "devc-model";
 
 /// The version of the format: it grows when a reader of the version before could be misled.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// The emitter of the JSON model.
 #[derive(Debug)]

@@ -30,6 +30,8 @@ use crate::model::Device;
 /// that no chapter takes does not go unseen here.
 pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
     let Device {
+        // Its statements about itself stand where they belong.
+        written: _,
         // The word, the name and the title stand at the front of the document.
         id: _,
         name: _,

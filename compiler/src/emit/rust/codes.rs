@@ -103,7 +103,7 @@ fn causes(codes: &[VendorCode]) -> TokenStream {
 
 fn al_status_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
     let values = scope.device.al_status_codes.iter().map(|code| {
-        let AlStatusCode { code: number, name, during, results, about, source } = code;
+        let AlStatusCode { code: number, name, during, results, about, source, origin: _ } = code;
         let during = (!during.is_empty()).then(|| format!("In the transitions {}.", during.join(", ")));
         let results = results.as_ref().map(|results| format!("Results in {results}."));
         let parts = [about.clone(), during, results];

@@ -54,7 +54,7 @@ fn configurations(scope: &Scope<'_>) -> TokenStream {
 fn list(scope: &Scope<'_>, configuration: &Configuration, name: &proc_macro2::Ident) -> TokenStream {
     let doc = Doc::new(sentence(&configuration.name))
         .maybe(configuration.about.as_deref())
-        .text(&configuration.cycle_ns.map(cycle).unwrap_or_default())
+        .text(&configuration.cycle_time.map(|time| cycle(time.0)).unwrap_or_default())
         .source(configuration.source.as_ref(), scope.device);
     let count = number(configuration.startup.len());
     let writes = configuration.startup.iter().map(write);

@@ -12,7 +12,7 @@ use super::literal;
 use super::names::{Names, camel, snake};
 use super::scope::Scope;
 use super::types::{Primitive, ValueType};
-use crate::model::{Access, DataType, Entry, Index, Kind, Object, Provenance};
+use crate::model::{Access, DataType, Entry, Index, Kind, Object, Provenance, provenance};
 
 /// An object whose values can change.
 pub(super) struct Stored<'a> {
@@ -139,7 +139,7 @@ fn list_item(scope: &Scope<'_>, entry: &Entry) -> String {
 fn changeable(object: &Object) -> Vec<&Entry> {
     let fixed = |entry: &Entry| {
         entry.access == Access::Const
-            || (entry.access == Access::Ro && entry.type_provenance == Provenance::Derived)
+            || (entry.access == Access::Ro && provenance(&entry.origin, "type") == Provenance::Derived)
             || entry.access == Access::Ro && matches!(entry.data_type, DataType::Text(0))
     };
     object.entries.iter().filter(|entry| !fixed(entry)).collect()

@@ -62,7 +62,7 @@ fn of_modes(scope: &Scope<'_>, word: &Word, methods: &mut Bits<'_>) -> Vec<Token
             0x6041 => &mode.status_bits,
             _ => continue,
         };
-        let fields = bits.fields.iter().filter(|field| !field.reserved);
+        let fields = bits.iter().filter(|field| !field.reserved);
         all.extend(fields.map(|field| methods.methods(field, Some(mode))));
     }
     all

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Unit};
+use crate::model::{Device, Section, Unit};
 
 rule! {
     /// A quantity that is scaled in two ways, in the same unit and on the same path, is a trap: a value read from one
@@ -52,7 +52,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             Diagnostic::new(&RULE, message, second.origin.value("raw-per-unit"), "another scale")
                 .label(first.origin.value("raw-per-unit"), format!("that of `{}`", first.id))
                 .help("add an `about` that says which is for what");
-        report.push(format!("units.{}", second.id), diagnostic);
+        report.push(Section::Units.at(&second.id), diagnostic);
     }
 }
 

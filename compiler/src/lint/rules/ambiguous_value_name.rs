@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Meaning};
+use crate::model::{Device, Meaning, Place, Section};
 use crate::source::Location;
 
 rule! {
@@ -30,18 +30,18 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
         let at = lookup::name(object, entry);
-        judge(&at, &entry.values, lookup::place(object, entry, "values"), report);
+        judge(&at, &entry.values, entry.origin.value("values"), report);
     }
     for word in &device.words {
         for field in &word.fields {
-            let at = format!("words.{}.{}", word.id, field.low);
-            let place = word.origin.value(&format!("{}.values", field.path));
+            let at = Section::Words.at(&word.id).at(field.low);
+            let place = word.origin.value(&(field.path("bits") + ".values"));
             judge(&at, &field.values, place, report);
         }
     }
 }
 
-fn judge(at: &str, values: &[Meaning], place: Location, report: &mut Report) {
+fn judge(at: &Place, values: &[Meaning], place: Location, report: &mut Report) {
     let mut first = BTreeMap::new();
     for meaning in values.iter().filter(|meaning| !meaning.name.to_lowercase().starts_with("reserved")) {
         let key = (meaning.name.to_lowercase(), &meaning.about);
@@ -50,6 +50,6 @@ fn judge(at: &str, values: &[Meaning], place: Location, report: &mut Report) {
             continue;
         };
         let message = format!("{other} and {} both mean `{}` at {at}", meaning.value, meaning.name);
-        report.push(at, Diagnostic::new(&RULE, message, place, "one name twice"));
+        report.push(at.clone(), Diagnostic::new(&RULE, message, place, "one name twice"));
     }
 }

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A code of the vendor's own system that belongs to two error codes cannot be translated back: whoever
@@ -45,7 +45,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let message = format!("vendor code {code} stands for 0x{other:04X} and 0x{:04X}", error.code);
             let diagnostic = Diagnostic::new(&RULE, message, at, format!("for 0x{:04X} here", error.code))
                 .label(*place, format!("for 0x{other:04X} here"));
-            report.push(format!("vendor-codes.{code}"), diagnostic);
+            report.push(Section::VendorCodes.at(code), diagnostic);
         }
     }
 }

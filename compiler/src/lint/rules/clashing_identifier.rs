@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::Device;
+use crate::model::{Device, Place, Section};
 use crate::source::Location;
 
 rule! {
@@ -26,46 +26,46 @@ rule! {
 }
 
 /// What has an identifier: the table it is in, its key there, its id, its name, and where it stands.
-type Named<'d> = (&'static str, String, &'d str, &'d str, Location);
+type Named<'d> = (Place, &'d str, &'d str, Location);
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     let mut first = BTreeMap::new();
-    for (table, key, id, name, place) in named(device) {
+    for (subject, id, name, place) in named(device) {
+        let table = subject.section;
         let Some((other, its_name, at)) = first.get(&(table, identifier(id))) else {
             first.insert((table, identifier(id)), (id, name, place));
             continue;
         };
         // Two objects of one name are a fault of their own, from which this follows.
-        if table == "objects" && name.eq_ignore_ascii_case(its_name) {
+        if table == Section::Objects && name.eq_ignore_ascii_case(its_name) {
             continue;
         }
         let message = format!("`{other}` and `{id}` are both `{}` in Rust", identifier(id));
         let diagnostic =
             Diagnostic::new(&RULE, message, place, "gets a number behind it").label(*at, "has the identifier");
-        let name = if table == "objects" { key } else { format!("{table}.{key}") };
-        report.push(name, diagnostic);
+        report.push(subject, diagnostic);
     }
 }
 
 fn named(device: &Device) -> Vec<Named<'_>> {
     let mut named = Vec::new();
     for it in lookup::objects(device).filter(|object| object.axis.is_none_or(|axis| axis == 0)) {
-        named.push(("objects", it.index.to_string(), &*it.id, &*it.name, it.origin.header()));
+        named.push((it.index.into(), &*it.id, &*it.name, it.origin.header()));
     }
     for it in &device.words {
-        named.push(("words", it.id.clone(), &it.id, &it.name, it.origin.header()));
+        named.push((Section::Words.at(&it.id), &it.id, &it.name, it.origin.header()));
     }
     for it in &device.states {
-        named.push(("states", it.id.clone(), &it.id, &it.name, it.origin.header()));
+        named.push((Section::States.at(&it.id), &it.id, &it.name, it.origin.header()));
     }
     for it in &device.commands {
-        named.push(("commands", it.id.clone(), &it.id, &it.name, it.origin.header()));
+        named.push((Section::Commands.at(&it.id), &it.id, &it.name, it.origin.header()));
     }
     for it in &device.modes {
-        named.push(("modes", it.code.to_string(), &it.id, &it.name, it.origin.header()));
+        named.push((Section::Modes.at(it.code), &it.id, &it.name, it.origin.header()));
     }
     for it in &device.units {
-        named.push(("units", it.id.clone(), &it.id, &it.quantity, it.origin.header()));
+        named.push((Section::Units.at(&it.id), &it.id, &it.quantity, it.origin.header()));
     }
     named
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A transition that happens by itself waits for no command. With a pattern of the controlword it either
@@ -43,6 +43,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         );
         let diagnostic = Diagnostic::new(&RULE, message, transition.origin.value("pattern"), "sets it off?")
             .label(transition.origin.value("automatic"), "happens by itself");
-        report.push(format!("transitions.{}", transition.number), diagnostic);
+        report.push(Section::Transitions.at(transition.number), diagnostic);
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Provenance};
+use crate::model::Device;
 
 rule! {
     /// Subindex 0 of a record or an array holds the highest subindex that there is. A master that reads an
@@ -32,7 +32,7 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    let described = device.objects.iter().filter(|object| object.provenance != Provenance::Derived);
+    let described = device.objects.iter().filter(|object| !object.derived);
     for object in described.filter(|object| object.entries.len() > 1) {
         let Some(count) = object.entry(0) else { continue };
         let says = count.default.as_ref().and_then(|default| default.integer());

@@ -1,7 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Provenance};
-use crate::raw::Literal;
+use crate::model::Device;
+use crate::model::Literal;
 use crate::source::Value;
 
 rule! {
@@ -33,7 +33,7 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for object in device.objects.iter().filter(|object| object.provenance == Provenance::Derived) {
+    for object in device.objects.iter().filter(|object| object.derived) {
         for entry in &object.entries {
             let written = entry.origin.node("default").and_then(|node| number(&node.value));
             let made = entry.default.as_ref().and_then(|value| value.integer());

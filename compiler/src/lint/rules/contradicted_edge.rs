@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A command sends bits of the controlword, and a transition asks for bits, by level or by edge. If the command has
@@ -47,7 +47,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let diagnostic =
                 Diagnostic::new(&RULE, message, transition.origin.value("pattern"), format!("asks for {asked}"))
                     .label(command.origin.value("pattern"), format!("sends {sent}"));
-            report.push(format!("transitions.{number}"), diagnostic);
+            report.push(Section::Transitions.at(number), diagnostic);
         }
     }
 }

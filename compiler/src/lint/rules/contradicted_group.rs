@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{AxisGroup, Coordinates, Device, Group, Index};
+use crate::model::{AxisGroup, Coordinates, Device, Group, Index, Section};
 
 rule! {
     /// The number of a group and the size of all groups give the indices of its parameters. If the manual prints
@@ -72,5 +72,5 @@ fn compare(
     let place = |path: String| coordinates.origin.value(&path);
     let diagnostic = Diagnostic::new(&RULE, message, place(format!("{path}.range")), "as printed")
         .label(place(format!("groups.{}.number", group.letter)), formula);
-    report.push(format!("coordinates.{path}"), diagnostic);
+    report.push(Section::Coordinates.at(path), diagnostic);
 }

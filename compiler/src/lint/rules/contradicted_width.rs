@@ -43,7 +43,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let name = lookup::name(object, entry);
         let message = format!("{} maps {name} with {says} bits, but it has {holds}", pdo.index);
         let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{says} bits"))
-            .label(lookup::place(object, entry, "type"), format!("{} has {holds}", entry.data_type));
+            .label(entry.origin.value("type"), format!("{} has {holds}", entry.data_type));
         report.push(at, diagnostic);
     }
 }

@@ -31,7 +31,7 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
-        let Some(node) = report.profile_of(object, entry, "access") else { continue };
+        let Some(node) = report.profile(&entry.origin, "access") else { continue };
         let Value::String(profile) = &node.value else { continue };
         let (readable, writable) = match &**profile {
             "ro" | "const" => (true, false),
@@ -45,7 +45,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let own = key(access);
         let name = lookup::name(object, entry);
         let message = format!("{name} is {own}, but {profile} in the profile");
-        let at = lookup::place(object, entry, "access");
+        let at = entry.origin.value("access");
         let note = match (writable, access.writable()) {
             (true, false) => "masters that write it get an abort",
             (false, true) => "masters take it for something that only the device changes",

@@ -31,14 +31,14 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
-        let Some(node) = report.profile_of(object, entry, "pdo") else { continue };
+        let Some(node) = report.profile(&entry.origin, "pdo") else { continue };
         let forbidden = matches!(&node.value, Value::String(pdo) if &**pdo == "none");
         if !forbidden || entry.pdo == Mappable::None {
             continue;
         }
         let name = lookup::name(object, entry);
         let message = format!("{name} can be mapped, but not in the profile");
-        let at = lookup::place(object, entry, "pdo");
+        let at = entry.origin.value("pdo");
         let diagnostic = Diagnostic::new(&RULE, message, at, "mappable here")
             .label(node.at, "not mappable there")
             .suggest("if the device follows the profile", at, "\"none\"");

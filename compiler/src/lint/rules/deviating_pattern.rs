@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Pattern};
+use crate::model::{Device, Pattern, Place, Section};
 use crate::source::{Origin, Value};
 
 rule! {
@@ -30,15 +30,15 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for state in &device.states {
-        judge(&format!("states.{}", state.id), &state.name, state.pattern.as_ref(), &state.origin, report);
+        judge(&Section::States.at(&state.id), &state.name, state.pattern.as_ref(), &state.origin, report);
     }
     for command in &device.commands {
-        let at = format!("commands.{}", command.id);
+        let at = Section::Commands.at(&command.id);
         judge(&at, &command.name, command.pattern.as_ref(), &command.origin, report);
     }
 }
 
-fn judge(at: &str, name: &str, pattern: Option<&Pattern>, origin: &Origin, report: &mut Report) {
+fn judge(at: &Place, name: &str, pattern: Option<&Pattern>, origin: &Origin, report: &mut Report) {
     let Some((pattern, node)) = pattern.zip(report.profile(origin, "pattern")) else { return };
     let Value::String(text) = &node.value else { return };
     let Some(profile) = Pattern::parse(text).filter(|profile| !profile.overlaps(pattern)) else { return };
@@ -47,5 +47,5 @@ fn judge(at: &str, name: &str, pattern: Option<&Pattern>, origin: &Origin, repor
     let diagnostic = Diagnostic::new(&RULE, message, origin.value("pattern"), "here")
         .label(node.at, "the profile's pattern")
         .note(format!("they differ in bit {}", bits.trailing_zeros()));
-    report.push(at, diagnostic);
+    report.push(at.clone(), diagnostic);
 }

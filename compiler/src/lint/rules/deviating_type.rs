@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{DataType, Device};
+use crate::model::{DataType, Device, Place};
 use crate::source::Value;
 
 rule! {
@@ -30,16 +30,16 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
-        let Some(node) = report.profile_of(object, entry, "type") else { continue };
+        let Some(node) = report.profile(&entry.origin, "type") else { continue };
         let Value::String(text) = &node.value else { continue };
         let Ok(profile) = text.parse::<DataType>() else { continue };
         if alike(profile, entry.data_type) {
             continue;
         }
-        let shared = !entry.origin.has("type") && object.entries.len() > 1;
-        let name = if shared { object.index.to_string() } else { lookup::name(object, entry) };
+        let shared = lookup::is_shared(object, entry, "type");
+        let name = if shared { Place::from(object.index) } else { lookup::name(object, entry) };
         let message = format!("{name} is {}, but {profile} in the profile", entry.data_type);
-        let at = lookup::place(object, entry, "type");
+        let at = entry.origin.value("type");
         let diagnostic = Diagnostic::new(&RULE, message, at, format!("not {profile}"))
             .label(node.at, "the profile's type")
             .note(consequence(profile, entry.data_type))

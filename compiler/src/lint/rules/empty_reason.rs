@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// An assumption is as good as its reason, and so is the answer to a finding: without one, nobody can judge
@@ -29,17 +29,17 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for assumption in device.assumptions.iter().filter(|it| it.reason.trim().is_empty()) {
         let message = format!("why {} is assumed is not said", assumption.at);
-        let key = assumption.at.rsplit('.').next().unwrap_or_default();
-        let path = format!("assumed.{key}");
+        let key = assumption.at.path.as_deref().unwrap_or_default();
+        let path = format!("assumed.{}", key.rsplit('.').next().unwrap_or_default());
         let at = if assumption.origin.has(&path) { &*path } else { "assumed" };
         let diagnostic = Diagnostic::new(&RULE, message, assumption.origin.value(at), "no reason");
-        report.push(&assumption.at, diagnostic);
+        report.push(assumption.at.clone(), diagnostic);
     }
     for (i, erratum) in device.errata.iter().enumerate() {
         if erratum.why.trim().is_empty() {
             let message = format!("why `{}` at {} is no fault is not said", erratum.rule, erratum.at);
             let diagnostic = Diagnostic::new(&RULE, message, erratum.origin.value("why"), "no reason");
-            report.push(format!("errata.{i}"), diagnostic);
+            report.push(Section::Errata.at(i), diagnostic);
         }
     }
 }

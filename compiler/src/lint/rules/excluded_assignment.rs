@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// PDOs that exclude each other cannot be assigned together. If the default assignment does so, the device
@@ -58,7 +58,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let message = format!("{} and {other} are assigned together, but exclude each other", pdo.index);
             let diagnostic = Diagnostic::new(&RULE, message, manager.origin.value("pdos"), "assigned together")
                 .label(pdo.origin.value("excludes"), format!("{} excludes {other}", pdo.index));
-            report.push(format!("sync-managers.{}", manager.role.key()), diagnostic);
+            report.push(Section::SyncManagers.at(manager.role.key()), diagnostic);
         }
     }
 }

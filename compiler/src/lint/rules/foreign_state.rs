@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// Drive code has the eight states of CiA 402, by the ids that the profile gives them. A state with another
@@ -27,6 +27,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("`{}` is not a state of CiA 402", state.id);
         let diagnostic = Diagnostic::new(&RULE, message, state.origin.header(), "left out of drive code")
             .help("if it is one of the profile's states under another name, use its id and write the `name`");
-        report.push(format!("states.{}", state.id), diagnostic);
+        report.push(Section::States.at(&state.id), diagnostic);
     }
 }

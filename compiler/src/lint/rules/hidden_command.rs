@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Command, Device};
+use crate::model::{Command, Device, Section};
 
 rule! {
     /// In each state one controlword has to mean one command. If it fits two that lead to different states, what
@@ -57,7 +57,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let at = second.origin.value("pattern");
             let diagnostic = Diagnostic::new(&RULE, message, at, format!("`{}`", second.name))
                 .label(first.origin.value("pattern"), format!("`{}`", first.name));
-            report.push(format!("commands.{}", second.id), diagnostic);
+            report.push(Section::Commands.at(&second.id), diagnostic);
         }
     }
 }

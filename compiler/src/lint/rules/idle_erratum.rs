@@ -47,7 +47,7 @@ pub(in crate::lint) fn judge(erratum: &Erratum, findings: &[Finding]) -> Diagnos
     let message = format!("`{rule}` finds nothing at {at}");
     let diagnostic = Diagnostic::new(&RULE, message, erratum.origin.value("at"), "nothing to answer here");
     let same = findings.iter().filter(|finding| finding.diagnostic.rule.name == rule);
-    let places: Vec<&str> = same.map(|finding| finding.at.as_str()).collect();
+    let places: Vec<String> = same.map(|finding| finding.at.to_string()).collect();
     if places.is_empty() {
         diagnostic.help("take the erratum out if the fault is gone")
     } else {

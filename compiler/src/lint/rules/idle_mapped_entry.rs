@@ -46,7 +46,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("{} carries {name}, which is without function", pdo.index);
         let bits = mapped.bits;
         let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{bits} bits in every cycle"))
-            .label(lookup::place(object, entry, "functional"), "does nothing by this");
+            .label(entry.origin.value("functional"), "does nothing by this");
         report.push(at, diagnostic);
     }
 }

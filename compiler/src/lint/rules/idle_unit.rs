@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A unit that no value has does nothing: the values that it was meant for are without one, so that nobody can
@@ -42,6 +42,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("no value is in the unit `{}`", unit.id);
         let diagnostic = Diagnostic::new(&RULE, message, unit.origin.header(), "not used")
             .help(format!("write `unit = \"{}\"` where values have it, or take it out", unit.id));
-        report.push(format!("units.{}", unit.id), diagnostic);
+        report.push(Section::Units.at(&unit.id), diagnostic);
     }
 }

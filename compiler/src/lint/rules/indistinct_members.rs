@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, sibling};
-use crate::model::{Device, Identity};
+use crate::model::{Device, Identity, Section};
 
 rule! {
     /// A master finds the description of a device by vendor id, product code and revision. If members of a family
@@ -63,7 +63,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         first.id, device.id
     );
     let place = device.identity.origin.value("product-code");
-    report.push("identity", Diagnostic::new(&RULE, message, place, "the same for both"));
+    report.push(Section::Identity, Diagnostic::new(&RULE, message, place, "the same for both"));
 }
 
 fn numbers(identity: &Identity) -> (u32, u32, u32) {

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Entry, Object, Value};
+use crate::model::{Device, Entry, Place, Value};
 use crate::source::Location;
 
 rule! {
@@ -34,16 +34,16 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (object, entry) in lookup::entries(device) {
-        let least = Limit::new(object, entry, entry.min.as_ref(), "min");
-        let greatest = Limit::new(object, entry, entry.max.as_ref(), "max");
+        let least = Limit::new(entry, entry.min.as_ref(), "min");
+        let greatest = Limit::new(entry, entry.max.as_ref(), "max");
         judge(least, greatest, &lookup::name(object, entry), report);
     }
     for object in lookup::on_axes(device, 0x607B).chain(lookup::on_axes(device, 0x607D)) {
         let limit = |subindex| {
             let entry = object.entry(subindex)?;
-            Limit::new(object, entry, entry.default.as_ref(), "default")
+            Limit::new(entry, entry.default.as_ref(), "default")
         };
-        judge(limit(1), limit(2), &object.index.to_string(), report);
+        judge(limit(1), limit(2), &object.index.into(), report);
     }
 }
 
@@ -54,12 +54,12 @@ struct Limit<'v> {
 }
 
 impl<'v> Limit<'v> {
-    fn new(object: &Object, entry: &Entry, value: Option<&'v Value>, key: &str) -> Option<Self> {
-        Some(Self { value: value?, at: lookup::place(object, entry, key) })
+    fn new(entry: &Entry, value: Option<&'v Value>, key: &str) -> Option<Self> {
+        Some(Self { value: value?, at: entry.origin.value(key) })
     }
 }
 
-fn judge(least: Option<Limit<'_>>, greatest: Option<Limit<'_>>, name: &str, report: &mut Report) {
+fn judge(least: Option<Limit<'_>>, greatest: Option<Limit<'_>>, name: &Place, report: &mut Report) {
     if let (Some(least), Some(greatest)) = (least, greatest)
         && lookup::above(least.value, greatest.value)
     {
@@ -67,6 +67,6 @@ fn judge(least: Option<Limit<'_>>, greatest: Option<Limit<'_>>, name: &str, repo
         let diagnostic = Diagnostic::new(&RULE, message, least.at, "at least this")
             .label(greatest.at, "at most this")
             .help("swap the two if they were mixed up");
-        report.push(name, diagnostic);
+        report.push(name.clone(), diagnostic);
     }
 }

@@ -1,7 +1,7 @@
 use super::misclassified_error;
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, ErrorCode};
+use crate::model::{Device, ErrorCode, Section};
 
 rule! {
     /// Bit 7 of the error register says that an error is the manufacturer's own. On codes that the profile
@@ -49,7 +49,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     if odd.len() > 1 {
         diagnostic = diagnostic.note(format!("they are {names}"));
     }
-    report.push("errors", diagnostic.note("bit 5 is for errors that the device profile defines"));
+    report.push(Section::Errors, diagnostic.note("bit 5 is for errors that the device profile defines"));
 }
 
 /// Whether a code that the profile may define is marked as the manufacturer's; codes whose class has a bit of

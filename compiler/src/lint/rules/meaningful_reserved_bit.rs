@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Field};
+use crate::model::{Device, Field, Place, Section};
 use crate::source::Origin;
 
 rule! {
@@ -34,16 +34,16 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for word in &device.words {
-        judge(&word.fields, &word.origin, &format!("words.{}", word.id), report);
+        judge(&word.fields, &word.origin, "bits", &Section::Words.at(&word.id), report);
     }
     for mode in &device.modes {
-        for bits in [&mode.control_bits, &mode.status_bits] {
-            judge(&bits.fields, &mode.origin, &format!("modes.{}", mode.code), report);
+        for (key, bits) in [("control-bits", &mode.control_bits), ("status-bits", &mode.status_bits)] {
+            judge(bits, &mode.origin, key, &Section::Modes.at(mode.code).at(key), report);
         }
     }
 }
 
-fn judge(fields: &[Field], origin: &Origin, section: &str, report: &mut Report) {
+fn judge(fields: &[Field], origin: &Origin, bits: &str, at: &Place, report: &mut Report) {
     for field in fields.iter().filter(|field| field.reserved) {
         let keys = [
             ("values", !field.values.is_empty()),
@@ -51,10 +51,10 @@ fn judge(fields: &[Field], origin: &Origin, section: &str, report: &mut Report) 
             ("falling", field.falling.is_some()),
         ];
         let Some((key, _)) = keys.into_iter().find(|(_, given)| *given) else { continue };
-        let path = |key: &str| format!("{}.{key}", field.path);
+        let path = |key: &str| format!("{}.{key}", field.path(bits));
         let message = format!("bit {} is reserved, but has `{key}`", field.low);
         let diagnostic = Diagnostic::new(&RULE, message, origin.value(&path(key)), "says what it does")
             .label(origin.value(&path("reserved")), "says that it does nothing");
-        report.push(format!("{section}.{}", field.low), diagnostic);
+        report.push(at.clone().at(field.low), diagnostic);
     }
 }

@@ -32,7 +32,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         if let Some(register) = error.register
             && let Some((expected, what)) = missing(error, register)
         {
-            report.push(format!("errors.0x{:04X}", error.code), judge(error, register, expected, what));
+            report.push(error.place(), judge(error, register, expected, what));
         }
     }
 }

@@ -45,7 +45,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         };
         let message = format!("{} maps {name}, which is {why}", pdo.index);
         let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{who} it here"))
-            .label(lookup::place(object, entry, key), why);
+            .label(entry.origin.value(key), why);
         report.push(at, diagnostic);
     }
 }

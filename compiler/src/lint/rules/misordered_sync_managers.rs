@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Role};
+use crate::model::{Device, Role, Section};
 
 rule! {
     /// What the master sends usually lies before what the device sends, in the mailbox as in process data. Another
@@ -37,6 +37,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             format!("`{second}` at 0x{:04X} lies before `{first}` at 0x{:04X}", after.address, before.address);
         let diagnostic = Diagnostic::new(&RULE, message, after.origin.value("address"), "before the other")
             .label(before.origin.value("address"), "behind the other");
-        report.push(format!("sync-managers.{second}"), diagnostic);
+        report.push(Section::SyncManagers.at(second), diagnostic);
     }
 }

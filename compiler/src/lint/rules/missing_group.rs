@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Coordinates, Device};
+use crate::model::{Coordinates, Device, Place, Section};
 use crate::source::Location;
 
 rule! {
@@ -37,17 +37,17 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     let Some(coordinates) = &device.coordinates else { return };
     for parameter in &device.parameters {
-        let at = format!("parameters.{}", parameter.id);
+        let at = Section::Parameters.at(&parameter.id);
         judge(coordinates, &parameter.id, at, parameter.origin.header(), report);
     }
     for entry in device.objects.iter().flat_map(|object| &object.entries) {
         if let Some(parameter) = &entry.parameter {
-            judge(coordinates, parameter, entry.address.to_string(), entry.origin.value("parameter"), report);
+            judge(coordinates, parameter, entry.address.into(), entry.origin.value("parameter"), report);
         }
     }
 }
 
-fn judge(coordinates: &Coordinates, parameter: &str, at: String, place: Location, report: &mut Report) {
+fn judge(coordinates: &Coordinates, parameter: &str, at: Place, place: Location, report: &mut Report) {
     let Some(letter) = group_of(parameter) else { return };
     if coordinates.groups.iter().any(|group| group.letter == letter) {
         return;

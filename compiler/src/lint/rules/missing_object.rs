@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Index};
+use crate::model::{Device, Index, Place, Protocol, Section};
 use crate::source::Location;
 
 rule! {
@@ -46,7 +46,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
 
 /// A feature with the objects that come with it.
 struct Need {
-    subject: String,
+    subject: Place,
     who: String,
     at: Location,
     objects: &'static [u16],
@@ -54,30 +54,30 @@ struct Need {
 }
 
 fn needs(device: &Device) -> impl Iterator<Item = Need> {
-    let mailbox = device.mailbox.iter().filter(|mailbox| mailbox.protocols.iter().any(|name| name == "CoE"));
+    let mailbox = device.mailbox.iter().filter(|mailbox| mailbox.protocols.contains(&Protocol::Coe));
     let mailbox = mailbox.map(|mailbox| Need {
-        subject: "mailbox.protocols".to_owned(),
+        subject: Section::Mailbox.at("protocols"),
         who: "a CoE mailbox".to_owned(),
         at: mailbox.origin.value("protocols"),
         objects: &[0x1000, 0x1018],
         clause: "ETG.1000.6 demands device type and identity of every device with CoE",
     });
     let drive = (device.profile == Some(402)).then(|| Need {
-        subject: "device.profile".to_owned(),
+        subject: Section::Device.at("profile"),
         who: "profile 402".to_owned(),
         at: device.origin.value("profile"),
         objects: &[0x6040, 0x6041],
         clause: "CiA 402 demands controlword and statusword of every drive",
     });
     let modes = device.modes.iter().find(|mode| mode.code != 0).map(|mode| Need {
-        subject: format!("modes.{}", mode.code),
+        subject: Section::Modes.at(mode.code),
         who: format!("mode {}", mode.code),
         at: mode.origin.header(),
         objects: &[0x6060, 0x6061, 0x6502],
         clause: "CiA 402 selects a mode by 0x6060, shows it in 0x6061 and lists those there are in 0x6502",
     });
     let clocks = device.sync_modes.iter().find(|mode| mode.assign_activate != 0).map(|mode| Need {
-        subject: format!("sync-modes.{}", mode.id),
+        subject: Section::SyncModes.at(&mode.id),
         who: "synchronisation by distributed clocks".to_owned(),
         at: mode.origin.value("assign-activate"),
         objects: &[0x1C32, 0x1C33],

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A family has one ESI file, and an ESI file has one vendor. A member with another vendor id would be
@@ -52,5 +52,5 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         Diagnostic::new(&RULE, message, device.identity.origin.value("vendor-id"), "another vendor")
             .label(first.identity.origin.value("vendor-id"), format!("that of `{}`", first.id))
             .help("describe devices of another vendor in a folder of their own");
-    report.push("identity.vendor-id", diagnostic);
+    report.push(Section::Identity.at("vendor-id"), diagnostic);
 }

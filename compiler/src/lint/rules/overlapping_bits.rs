@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Field};
+use crate::model::{Device, Field, Place, Section};
 use crate::source::Origin;
 
 rule! {
@@ -33,38 +33,39 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for word in &device.words {
-        let at = format!("words.{}", word.id);
-        pairs(&word.fields, &word.origin, &at, report);
+        let at = Section::Words.at(&word.id);
+        pairs(&word.fields, &word.origin, "bits", &at, report);
         beyond(&word.fields, &word.name, word.bits, &word.origin, &at, report);
     }
     for register in &device.registers {
-        let at = format!("registers.0x{:04X}", register.address);
-        pairs(&register.fields, &register.origin, &at, report);
+        let at = Section::Registers.at(register.address);
+        pairs(&register.fields, &register.origin, "bits", &at, report);
         let bits = u32::from(register.length) * 8;
         beyond(&register.fields, &register.name, bits, &register.origin, &at, report);
     }
     for mode in &device.modes {
-        for bits in [&mode.control_bits, &mode.status_bits] {
-            pairs(&bits.fields, &mode.origin, &format!("modes.{}", mode.code), report);
+        for (key, bits) in [("control-bits", &mode.control_bits), ("status-bits", &mode.status_bits)] {
+            pairs(bits, &mode.origin, key, &Section::Modes.at(mode.code).at(key), report);
         }
     }
 }
 
-fn beyond(fields: &[Field], name: &str, bits: u32, origin: &Origin, at: &str, report: &mut Report) {
+fn beyond(fields: &[Field], name: &str, bits: u32, origin: &Origin, at: &Place, report: &mut Report) {
     for field in fields.iter().filter(|field| u32::from(field.high) >= bits) {
         let message = format!("`{name}` has no bit {}: it has {bits} of them", field.high);
-        report.push(at, Diagnostic::new(&RULE, message, origin.value(&field.path), "beyond the last bit"));
+        let place = origin.value(&field.path("bits"));
+        report.push(at.clone(), Diagnostic::new(&RULE, message, place, "beyond the last bit"));
     }
 }
 
-fn pairs(fields: &[Field], origin: &Origin, at: &str, report: &mut Report) {
+fn pairs(fields: &[Field], origin: &Origin, bits: &str, at: &Place, report: &mut Report) {
     for (i, first) in fields.iter().enumerate() {
         for second in fields.iter().skip(i + 1).filter(|second| first.mask() & second.mask() != 0) {
             let bit = (first.mask() & second.mask()).trailing_zeros();
             let message = format!("bit {bit} is `{}` and `{}`", first.name, second.name);
-            let diagnostic = Diagnostic::new(&RULE, message, origin.value(&second.path), "again here")
-                .label(origin.value(&first.path), "first here");
-            report.push(at, diagnostic);
+            let diagnostic = Diagnostic::new(&RULE, message, origin.value(&second.path(bits)), "again here")
+                .label(origin.value(&first.path(bits)), "first here");
+            report.push(at.clone(), diagnostic);
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Group};
+use crate::model::{Device, Group, Section};
 
 rule! {
     /// Each group of parameters has indices of its own. Two groups with one number share them, so that one
@@ -38,7 +38,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let place = |group: &Group| coordinates.origin.value(&format!("groups.{}", group.letter));
         let diagnostic =
             Diagnostic::new(&RULE, message, place(second), "this group").label(place(first), "and this one");
-        report.push(format!("coordinates.groups.{}", second.letter), diagnostic);
+        report.push(Section::Coordinates.at("groups").at(&second.letter), diagnostic);
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Pattern, State};
+use crate::model::{Device, Pattern, Section, State};
 
 rule! {
     /// A master tells the state of a drive from the bits of the statusword. If one word fits two patterns, it
@@ -37,7 +37,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             if let (Some(a), Some(b)) = (&first.pattern, &second.pattern)
                 && a.overlaps(b)
             {
-                report.push(format!("states.{}", second.id), judge((first, a), (second, b)));
+                report.push(Section::States.at(&second.id), judge((first, a), (second, b)));
             }
         }
     }

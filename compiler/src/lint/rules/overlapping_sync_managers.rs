@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, SyncManager};
+use crate::model::{Device, Section, SyncManager};
 
 rule! {
     /// Each sync manager has its own part of the memory. One with three buffers, as process data has, takes three
@@ -36,7 +36,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let message = format!("`{}` ends at 0x{end:04X}, but `{}` begins at 0x{begin:04X}", low.role.key(), high.role.key());
             let diagnostic = Diagnostic::new(&RULE, message, high.origin.value("address"), "begins here")
                 .label(low.origin.value("address"), extent(low));
-            report.push(format!("sync-managers.{}", high.role.key()), diagnostic);
+            report.push(Section::SyncManagers.at(high.role.key()), diagnostic);
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// Modes of operation are chosen by a number in 0x6060, which is of the type INT8 (CiA 402). A number outside of
@@ -46,7 +46,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
                 let same = byte.cast_signed();
                 diagnostic = diagnostic.help(format!("the byte 0x{byte:02X} is {same} in an INT8"));
             }
-            report.push(format!("modes.{code}"), diagnostic);
+            report.push(Section::Modes.at(code), diagnostic);
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// Where the other states have a pattern of the statusword, one without cannot be recognised.
@@ -35,6 +35,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("`{}` has no pattern, so a master cannot recognise it", state.name);
         let diagnostic = Diagnostic::new(&RULE, message, state.origin.header(), "no `pattern`")
             .label(other.origin.value("pattern"), format!("`{}` has one", other.name));
-        report.push(format!("states.{}", state.id), diagnostic);
+        report.push(Section::States.at(&state.id), diagnostic);
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// Masters tell devices apart by these numbers. One that looks as if nobody had filled it in, a 0 or
@@ -39,14 +39,13 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         ("product-code", "product code", identity.product_code),
         ("revision", "revision", identity.revision),
     ];
-    let assumed =
-        |key: &str| device.assumptions.iter().any(|it| it.at.strip_prefix("identity.") == Some(key));
+    let assumed = |key: &str| device.assumptions.iter().any(|it| it.at == Section::Identity.at(key));
     let mut push = |key: &str, message: String, note: &str| {
         if assumed(key) {
             return;
         }
         let diagnostic = Diagnostic::new(&RULE, message, identity.origin.value(key), "a placeholder?");
-        report.push(format!("identity.{key}"), diagnostic.note(note));
+        report.push(Section::Identity.at(key), diagnostic.note(note));
     };
     for (key, name, value) in zeros {
         if value == 0 {

@@ -44,7 +44,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             format!("{} calls {name} `{}`, the dictionary `{}`", pdo.index, mapped.name, entry.name);
         let label = "the name in the dictionary";
         let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "another name")
-            .label(lookup::place(object, entry, "name"), label);
+            .label(entry.origin.value("name"), label);
         report.push(at, diagnostic);
     }
 }

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 use crate::source::Origin;
 
 rule! {
@@ -28,18 +28,18 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     let modes = device.modes.iter();
     let modes = modes.map(|it| (it.code, &it.aliases[..], it.name.as_str(), &it.origin)).collect();
-    judge("modes", modes, report);
+    judge(Section::Modes, modes, report);
     let wide = |aliases: &[i8]| aliases.iter().copied().map(i16::from).collect::<Vec<_>>();
     let aliases: Vec<_> = device.homing_methods.iter().map(|it| wide(&it.aliases)).collect();
     let methods = device.homing_methods.iter().zip(&aliases);
     let methods = methods.map(|(it, all)| (i16::from(it.number), &all[..], it.name.as_str(), &it.origin));
-    judge("homing-methods", methods.collect(), report);
+    judge(Section::HomingMethods, methods.collect(), report);
 }
 
 /// The code, other codes, name and place of something that a code selects.
 type Selected<'d> = (i16, &'d [i16], &'d str, &'d Origin);
 
-fn judge(table: &str, selected: Vec<Selected<'_>>, report: &mut Report) {
+fn judge(section: Section, selected: Vec<Selected<'_>>, report: &mut Report) {
     let mut first: BTreeMap<i16, Selected<'_>> = selected.iter().map(|it| (it.0, *it)).collect();
     for it in &selected {
         for alias in it.1 {
@@ -50,7 +50,7 @@ fn judge(table: &str, selected: Vec<Selected<'_>>, report: &mut Report) {
             let message = format!("{alias} is `{}` and `{}`", other.2, it.2);
             let diagnostic = Diagnostic::new(&RULE, message, it.3.value("aliases"), "again here")
                 .label(other.3.header(), "first here");
-            report.push(format!("{table}.{}", it.0), diagnostic);
+            report.push(section.at(it.0), diagnostic);
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Bit, Device, Pattern};
+use crate::model::{Bit, Device, Pattern, Place, Section};
 use crate::source::Origin;
 
 rule! {
@@ -22,9 +22,9 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    let commands = device.commands.iter().map(|it| (format!("commands.{}", it.id), &it.pattern, &it.origin));
+    let commands = device.commands.iter().map(|it| (Section::Commands.at(&it.id), &it.pattern, &it.origin));
     let transitions = device.transitions.iter().filter(|transition| !transition.automatic);
-    let transitions = transitions.map(|it| (format!("transitions.{}", it.number), &it.pattern, &it.origin));
+    let transitions = transitions.map(|it| (Section::Transitions.at(it.number), &it.pattern, &it.origin));
     for (name, pattern, origin) in commands.chain(transitions) {
         if let Some(pattern) = pattern.as_ref().filter(|pattern| edges(pattern) > 1) {
             let diagnostic = judge(&name, pattern, origin);
@@ -37,7 +37,7 @@ fn edges(pattern: &Pattern) -> usize {
     pattern.bits.iter().filter(|bit| matches!(bit, Bit::Rising | Bit::Falling)).count()
 }
 
-fn judge(name: &str, pattern: &Pattern, origin: &Origin) -> Diagnostic {
+fn judge(name: &Place, pattern: &Pattern, origin: &Origin) -> Diagnostic {
     let message = format!("{name} takes {} changes at once: {pattern}", edges(pattern));
     Diagnostic::new(&RULE, message, origin.value("pattern"), "more than one `r` or `f`")
         .help("write `1` or `0` for the bits that only have to be so")

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Role};
+use crate::model::{Device, Role, Section};
 
 rule! {
     /// A sync manager that is shorter than what is assigned to it by default cuts off the last values; a mailbox
@@ -60,7 +60,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             true => diagnostic.label(manager.origin.value("pdos"), format!("{needs} bytes by default")),
             false => diagnostic.note("a mailbox has 6 bytes of head, 2 of CoE and 8 of an SDO at least"),
         };
-        report.push(format!("sync-managers.{key}"), diagnostic);
+        report.push(Section::SyncManagers.at(key), diagnostic);
     }
 }
 

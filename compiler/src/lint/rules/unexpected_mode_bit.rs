@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Field, Index, Mode, Word};
+use crate::model::{Device, Field, Index, Mode, Section, Word};
 
 rule! {
     /// A word marks the bits whose meaning a mode of operation gives. A mode that uses another bit takes it from
@@ -43,16 +43,20 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for mode in &device.modes {
-        for (index, fields) in [(0x6040, &mode.control_bits.fields), (0x6041, &mode.status_bits.fields)] {
+        let words = [
+            (0x6040, "control-bits", &mode.control_bits),
+            (0x6041, "status-bits", &mode.status_bits),
+        ];
+        for (index, key, fields) in words {
             let word = device.words.iter().find(|word| word.address.index == Index(index));
             if let Some(word) = word {
-                judge(word, mode, fields, report);
+                judge(word, mode, (key, fields), report);
             }
         }
     }
 }
 
-fn judge(word: &Word, mode: &Mode, fields: &[Field], report: &mut Report) {
+fn judge(word: &Word, mode: &Mode, (key, fields): (&str, &[Field]), report: &mut Report) {
     for field in fields.iter().filter(|field| !field.reserved) {
         let shared = |other: &&Field| other.mask() & field.mask() != 0 && !other.per_mode;
         let Some(other) = word.fields.iter().find(shared) else { continue };
@@ -60,9 +64,9 @@ fn judge(word: &Word, mode: &Mode, fields: &[Field], report: &mut Report) {
             "mode {} uses bit {} of {} for `{}`, but it is `{}`",
             mode.code, field.low, word.name, field.name, other.name
         );
-        let diagnostic = Diagnostic::new(&RULE, message, mode.origin.value(&field.path), "used here")
-            .label(word.origin.value(&other.path), "not left to modes")
+        let diagnostic = Diagnostic::new(&RULE, message, mode.origin.value(&field.path(key)), "used here")
+            .label(word.origin.value(&other.path("bits")), "not left to modes")
             .help("write `per-mode = true` at the bit of the word if modes may use it");
-        report.push(format!("modes.{}", mode.code), diagnostic);
+        report.push(Section::Modes.at(mode.code), diagnostic);
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let name = lookup::name(object, entry);
         let message = format!("{} maps {name}, which cannot be mapped", pdo.index);
         let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "mapped here")
-            .label(lookup::place(object, entry, "pdo"), "not mappable")
+            .label(entry.origin.value("pdo"), "not mappable")
             .help("write `pdo = \"rx\"` or `pdo = \"tx\"` if the device maps it");
         report.push(at, diagnostic);
     }

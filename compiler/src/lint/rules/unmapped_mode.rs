@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Address, Device, Direction, Index, Mode, Pdo};
+use crate::model::{Address, Device, Direction, Index, Mode, Pdo, Section};
 
 rule! {
     /// In a cyclic mode the master sends a set value in every cycle. If no PDO carries it and none can be
@@ -62,7 +62,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         }
         let message = format!("no receive PDO carries {index}, the {name} that mode {code} needs in each cycle");
         let diagnostic = Diagnostic::new(&RULE, message, mode.origin.header(), "cannot be used without it");
-        report.push(format!("modes.{code}"), diagnostic.help("map it, or leave the mode out"));
+        report.push(Section::Modes.at(code), diagnostic.help("map it, or leave the mode out"));
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// Without its number, nobody can tell the indices of the parameters in a group.
@@ -36,6 +36,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("group {}, `{}`, has no number", group.letter, group.name);
         let diagnostic = Diagnostic::new(&RULE, message, coordinates.origin.value(&path), "no `number`")
             .note("its parameters have no index");
-        report.push(format!("coordinates.{path}"), diagnostic);
+        report.push(Section::Coordinates.at(path), diagnostic);
     }
 }

@@ -43,7 +43,7 @@ fn judge(object: &Object, entry: &Entry) -> Option<Diagnostic> {
     let (limit, side, key) = low.or(high)?;
     let name = lookup::name(object, entry);
     let message = format!("{name} is {default} by default, {side} its limit {limit}");
-    let at = lookup::place(object, entry, "default");
+    let at = entry.origin.value("default");
     let diagnostic = Diagnostic::new(&RULE, message, at, format!("{side} {limit}"));
-    Some(diagnostic.label(lookup::place(object, entry, key), "the limit"))
+    Some(diagnostic.label(entry.origin.value(key), "the limit"))
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Transition};
+use crate::model::{Device, Section, Transition};
 
 rule! {
     /// A transition happens by itself, by a command, or for a cause. One without any of them never happens, or
@@ -47,7 +47,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let label = "no command, no cause, not automatic";
         let diagnostic = Diagnostic::new(&RULE, message, transition.origin.header(), label)
             .help("name it in a command, give its `causes` or `events`, or write `automatic = true` or `supported = false`");
-        report.push(format!("transitions.{number}"), diagnostic);
+        report.push(Section::Transitions.at(number), diagnostic);
     }
 }
 

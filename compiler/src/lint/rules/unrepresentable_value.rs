@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A value that has a meaning but does not fit the type is never seen. Either the type is too narrow or has
@@ -33,8 +33,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let name = lookup::name(object, entry);
         let message = format!("{name} is never {value}: {} holds {low} to {high}", entry.data_type);
         let diagnostic =
-            Diagnostic::new(&RULE, message, lookup::place(object, entry, "values"), format!("{value} is here"))
-                .label(lookup::place(object, entry, "type"), "the type");
+            Diagnostic::new(&RULE, message, entry.origin.value("values"), format!("{value} is here"))
+                .label(entry.origin.value("type"), "the type");
         report.push(name, diagnostic);
     }
     for word in &device.words {
@@ -45,9 +45,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let width = field.width();
             let bits = if width == 1 { "one bit".to_owned() } else { format!("{width} bits") };
             let message = format!("`{}` is never {value}: it has {bits}", field.name);
-            let place = word.origin.value(&format!("{}.values", field.path));
+            let place = word.origin.value(&(field.path("bits") + ".values"));
             let diagnostic = Diagnostic::new(&RULE, message, place, format!("{value} is here"));
-            report.push(format!("words.{}.{}", word.id, field.low), diagnostic);
+            report.push(Section::Words.at(&word.id).at(field.low), diagnostic);
         }
     }
 }

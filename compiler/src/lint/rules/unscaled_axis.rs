@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A unit that is scaled on some axes and not on others leaves a master with raw values there. Mostly the
@@ -53,6 +53,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("`{}` has a scale, but not on {}", unit.id, lookup::list(names));
         let diagnostic = Diagnostic::new(&RULE, message, unit.origin.header(), "no `raw-per-unit` for all")
             .label(unit.origin.value("per-axis"), "for these axes");
-        report.push(format!("units.{}", unit.id), diagnostic);
+        report.push(Section::Units.at(&unit.id), diagnostic);
     }
 }

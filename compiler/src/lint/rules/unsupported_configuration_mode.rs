@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::Device;
+use crate::model::{Device, Section};
 
 rule! {
     /// A configuration that sets a mode of operation which the device does not have ends in an abort of the SDO
@@ -53,6 +53,6 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let modes = lookup::list(device.modes.iter().map(|mode| mode.code));
         let diagnostic = Diagnostic::new(&RULE, message, configuration.origin.value("mode"), "no such mode")
             .note(format!("the modes are {modes}"));
-        report.push(format!("configurations.{}", configuration.id), diagnostic);
+        report.push(Section::Configurations.at(&configuration.id), diagnostic);
     }
 }

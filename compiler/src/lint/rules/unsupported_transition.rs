@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Command, Device, Transition};
+use crate::model::{Command, Device, Section, Transition};
 use crate::source::Value;
 
 rule! {
@@ -51,7 +51,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let unsupported = |number: &&u8| transition(device, **number).is_some_and(|found| !found.supported);
         let lost: Vec<u8> = command.transitions.iter().filter(unsupported).copied().collect();
         if !lost.is_empty() {
-            report.push(format!("commands.{}", command.id), judge(device, command, &lost));
+            report.push(Section::Commands.at(&command.id), judge(device, command, &lost));
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::Device;
+use crate::model::{Device, Section};
 use crate::source::{Node, Value};
 
 rule! {
@@ -35,14 +35,14 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for word in &device.words {
         for field in word.fields.iter().filter(|field| field.reserved) {
-            let Some(bit) = report.profile(&word.origin, &field.path) else { continue };
+            let Some(bit) = report.profile(&word.origin, &field.path("bits")) else { continue };
             let Some(meaning) = meaning(bit) else { continue };
             let message = format!("bit {} of {} is reserved, but `{meaning}` in the profile", field.low, word.name);
-            let at = word.origin.value(&format!("{}.reserved", field.path));
+            let at = word.origin.value(&(field.path("bits") + ".reserved"));
             let diagnostic = Diagnostic::new(&RULE, message, at, "reserved here")
                 .label(bit.at, "the profile's bit")
                 .note("masters of the profile may wait for it");
-            report.push(format!("words.{}.{}", word.id, field.low), diagnostic);
+            report.push(Section::Words.at(&word.id).at(field.low), diagnostic);
         }
     }
 }

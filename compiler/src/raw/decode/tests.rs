@@ -7,9 +7,10 @@ use serde::Deserialize;
 
 use super::*;
 use crate::diagnostic::render::{Style, text};
-use crate::raw::{Literal, RawField, RawMapped};
+use crate::model::{Fields, Literal};
+use crate::raw::RawMapped;
 use crate::source::parse::parse;
-use crate::source::{SourceFile, Sources};
+use crate::source::{Layer, SourceFile, Sources};
 
 #[derive(Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -83,7 +84,7 @@ fn tree(toml: &str) -> (Sources, Table) {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let file = SourceFile { path: "device.toml".to_owned(), text: toml.to_owned(), embedded: false };
     let file = sources.add(file);
-    let table = parse(file, toml, &mut diagnostics);
+    let table = parse(file, toml, Layer::Description, &mut diagnostics);
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
     (sources, table)
 }
@@ -475,9 +476,9 @@ fn a_string_can_stand_for_a_table() {
     struct Pdo {
         entries: Vec<RawMapped>,
         #[serde(default)]
-        bits: Option<RawField>,
+        bits: Option<Fields>,
     }
-    let (pdo, messages) = read::<Pdo>("entries = [\"controlword\", { bits = 8, nam = \"gap\" }]\nbits = {}");
+    let (pdo, messages) = read::<Pdo>("entries = [\"controlword\", { bits = 8, nam = \"gap\" }]\nbits = { 0 = {} }");
     assert!(pdo.is_none());
     assert_snapshot!(messages, @r#"
     error[unknown-key]: unknown key `nam`
@@ -492,19 +493,19 @@ fn a_string_can_stand_for_a_table() {
       |                                          +
 
     error[missing-key]: missing key `name`
-     --> device.toml:2:8
+     --> device.toml:2:14
       |
-    2 | bits = {}
-      |        ^^ `name` has to be given here
+    2 | bits = { 0 = {} }
+      |              ^^ `name` has to be given here
     "#);
-    let (pdo, messages) = read::<Pdo>("entries = [\"controlword\", { bits = 8 }]\nbits = \"ready\"");
+    let (pdo, messages) = read::<Pdo>("entries = [\"controlword\", { bits = 8 }]\nbits = { 0 = \"ready\" }");
     assert_eq!(messages, "");
     let pdo = pdo.expect("a PDO");
     assert_eq!(
         pdo.entries.iter().map(|it| (it.entry.as_deref(), it.bits)).collect::<Vec<_>>(),
         [(Some("controlword"), None), (None, Some(8)),]
     );
-    assert_eq!(pdo.bits.map(|field| field.name).as_deref(), Some("ready"));
+    assert_eq!(pdo.bits.as_ref().map(|bits| bits[0].name.as_str()), Some("ready"));
     assert_snapshot!(read::<Pdo>("entries = [1]").1, @r"
     error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits` and `name`, found an integer
      --> device.toml:1:12

@@ -1,10 +1,10 @@
-//! The schemas of values that TOML has no type of its own for.
+//! The schemas of what the format has in every table.
 
 use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-use crate::raw::{Duration, Fraction, Hex, Ignored, Literal, OneOrMore, RawAssumed};
+use crate::raw::{Ignored, RawAssumed, RawSource};
 
 /// Gives a type the schema that it is written as.
 macro_rules! written {
@@ -28,12 +28,8 @@ macro_rules! written {
 }
 
 written! {
-    Literal as "value": { "type": ["boolean", "number", "string"] };
-    Fraction as "fraction": { "type": ["integer", "string"], "pattern": "^ *[0-9]+ */ *[0-9]+ *$" };
-    Duration as "time": { "type": "string", "pattern": "^[0-9]+ *(ns|us|µs|ms|s)$" };
-    Hex as "bytes": { "type": "string", "pattern": "^\\s*([0-9A-Fa-f]\\s*[0-9A-Fa-f]\\s*)*$" };
-    OneOrMore as "list": { "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] };
     Ignored as "table": { "type": "object" };
+    RawSource as "source": { "anyOf": [{ "type": "string" }, { "const": false }] };
     RawAssumed as "reasons": {
         "anyOf": [{ "type": "string" }, { "type": "object", "additionalProperties": { "type": "string" } }]
     };

@@ -4,26 +4,26 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::section::{SECTIONS, Section, Shape};
+use super::section::all;
 use super::tidy::without_null;
+use crate::model::Shape;
 
 const INTRODUCTION: &str = include_str!("introduction.md");
 
 /// The reference of the format, in Markdown.
 pub fn reference() -> String {
     let mut generator = super::generator();
-    let tables: Vec<(&Section, Value)> =
-        SECTIONS.iter().map(|section| (section, section.table(&mut generator))).collect();
+    let tables: Vec<(&str, Shape, Value)> =
+        all().map(|(name, shape, table)| (name, shape, table(&mut generator))).collect();
     let inner: BTreeMap<String, Value> = generator.take_definitions(false).into_iter().collect();
 
     let mut text = INTRODUCTION.to_owned();
     text.push_str("\n## Sections\n\n");
-    for (section, table) in &tables {
-        let heading = heading(section, table);
-        text.push_str(&format!("- [`{heading}`](#{})\n", section.name));
+    for (name, shape, table) in &tables {
+        text.push_str(&format!("- [`{}`](#{name})\n", heading(name, *shape, table)));
     }
-    for (section, table) in &tables {
-        text.push_str(&format!("\n### <a id=\"{}\"></a>`{}`\n\n", section.name, heading(section, table)));
+    for (name, shape, table) in &tables {
+        text.push_str(&format!("\n### <a id=\"{name}\"></a>`{}`\n\n", heading(name, *shape, table)));
         text.push_str(&format!("{}\n\n{}", about(table), keys(table)));
     }
     text.push_str("\n## Tables within tables\n\nThe reference names them where a key holds one.\n");
@@ -41,17 +41,17 @@ pub fn reference() -> String {
 }
 
 /// How the header of a table in the section is written: as its documentation has it.
-fn heading(section: &Section, table: &Value) -> String {
+fn heading(section: &str, shape: Shape, table: &Value) -> String {
     let about = table.get("description").and_then(Value::as_str).unwrap_or_default();
     let headers = about.split('`').skip(1).step_by(2);
     let named = |header: &&str| {
         let name = header.trim_matches(['[', ']']);
-        name.split('.').next() == Some(section.name)
+        name.split('.').next() == Some(section)
     };
-    let plain = match section.shape {
-        Shape::Single => format!("[{}]", section.name),
-        Shape::Map => format!("[{}.<key>]", section.name),
-        Shape::List => format!("[[{}]]", section.name),
+    let plain = match shape {
+        Shape::Single => format!("[{section}]"),
+        Shape::Words | Shape::Numbers | Shape::Indices => format!("[{section}.<key>]"),
+        Shape::List => format!("[[{section}]]"),
     };
     headers.clone().find(named).map_or(plain, str::to_owned)
 }

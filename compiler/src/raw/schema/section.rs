@@ -4,85 +4,74 @@ use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Map, Value, json};
 
 use super::{text, texts};
-use crate::raw::*;
+use crate::model::*;
+use crate::raw::{
+    RawAxes, RawConfiguration, RawCoordinates, RawEntry, RawFacts, RawHead, RawMode, RawObject,
+    RawObjectHead, RawPdo, RawProcedure, RawSyncManager, RawUnit, RawWord,
+};
 
-/// A section: a table at the top of a description.
-pub(super) struct Section {
-    /// Its key.
-    pub(super) name: &'static str,
-    /// How its tables are told apart.
-    pub(super) shape: Shape,
-    /// The schemas of what one of its tables can hold, all in the same table.
-    parts: fn(&mut SchemaGenerator) -> Vec<Value>,
-}
-
-/// How the tables of a section are told apart.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Shape {
-    /// There is one.
-    Single,
-    /// By key.
-    Map,
-    /// By place in a list.
-    List,
-}
-
-/// Sections of a shape, each with what its tables hold.
-macro_rules! section {
-    ($name:literal, $shape:ident, $($part:ty),+) => {
-        Section {
-            name: $name,
-            shape: Shape::$shape,
-            parts: |generator| vec![$(own::<$part>(generator)),+],
-        }
+/// Gives the schemas of what the tables of a section can hold.
+macro_rules! tables {
+    ($($name:ident $field:ident $key:literal $shape:ident $table:ident,)*) => {
+        /// All sections of a device: the key, how its tables are told apart, and the schema of one of them.
+        static SECTIONS: &[(Section, fn(&mut SchemaGenerator) -> Value)] = &[
+            $((Section::$name, |generator| table::<$table>(Section::$name, generator))),*
+        ];
     };
 }
+for_each_section!(tables);
 
-/// All sections of a device.
-pub(super) static SECTIONS: &[Section] = &[
-    section!("device", Single, RawHead, RawFacts),
-    section!("identity", Single, RawIdentity, RawFacts),
-    section!("eeprom", Single, RawEeprom, RawFacts),
-    section!("documents", Map, RawDocument, RawFacts),
-    section!("axes", Single, RawAxes, RawFacts),
-    section!("areas", Map, RawArea, RawFacts),
-    section!("objects", Map, RawObject, RawEntry, RawFacts),
-    section!("coordinates", Single, RawCoordinates, RawFacts),
-    section!("parameters", Map, RawParameter, RawFacts),
-    section!("units", Map, RawUnit, RawFacts),
-    section!("rx-pdos", Map, RawPdo, RawFacts),
-    section!("tx-pdos", Map, RawPdo, RawFacts),
-    section!("sync-managers", Map, RawSyncManager, RawFacts),
-    section!("mailbox", Single, RawMailbox, RawFacts),
-    section!("configurations", Map, RawConfiguration, RawFacts),
-    section!("words", Map, RawWord, RawFacts),
-    section!("states", Map, RawState, RawFacts),
-    section!("commands", Map, RawCommand, RawFacts),
-    section!("transitions", Map, RawTransition, RawFacts),
-    section!("device-control", Single, RawDeviceControl, RawFacts),
-    section!("communication-states", Map, RawCommunicationState, RawFacts),
-    section!("communication-transitions", Map, RawCommunicationTransition, RawFacts),
-    section!("modes", Map, RawMode, RawFacts),
-    section!("mode-changes", List, RawModeChange, RawFacts),
-    section!("stop-options", List, RawStopOption, RawFacts),
-    section!("homing-methods", Map, RawHomingMethod, RawFacts),
-    section!("errors", Map, RawError, RawFacts),
-    section!("vendor-codes", Map, RawVendorCode, RawFacts),
-    section!("sync-modes", Map, RawSyncMode, RawFacts),
-    section!("cycle-times", Map, RawCycleTime, RawFacts),
-    section!("dead-time", Single, RawDeadTime, RawFacts),
-    section!("registers", Map, RawRegister, RawFacts),
-    section!("al-status-codes", Map, RawAlStatusCode, RawFacts),
-    section!("telegrams", Map, RawTelegram, RawFacts),
-    section!("leds", Map, RawLed, RawFacts),
-    section!("connectors", Map, RawConnector, RawFacts),
-    section!("limits", Map, RawLimit, RawFacts),
-    section!("master-settings", List, RawMasterSetting, RawFacts),
-    section!("procedures", Map, RawProcedure, RawFacts),
-    section!("remarks", List, RawRemark, RawFacts),
-    section!("errata", List, RawErratum, RawFacts),
-    section!("lints", Single, Lints),
-];
+/// A section: its key, how its tables are told apart, and what makes the schema of one of them.
+pub(super) type Described = (&'static str, Shape, fn(&mut SchemaGenerator) -> Value);
+
+/// All sections, in the order in which they are explained.
+pub(super) fn all() -> impl Iterator<Item = Described> {
+    let lints: Described = ("lints", Shape::Single, |generator| together(vec![own::<Lints>(generator)]));
+    SECTIONS.iter().map(|(section, table)| (section.name(), section.shape(), *table)).chain([lints])
+}
+
+/// The schema of a section with such tables.
+pub(super) fn schema(shape: Shape, table: Value) -> Value {
+    match shape {
+        Shape::Single => table,
+        Shape::Words | Shape::Numbers | Shape::Indices => {
+            json!({ "type": "object", "additionalProperties": table })
+        }
+        Shape::List => json!({ "type": "array", "items": table }),
+    }
+}
+
+/// The schema of a table of a section.
+fn table<T: JsonSchema>(section: Section, generator: &mut SchemaGenerator) -> Value {
+    let mut table = together(vec![own::<T>(generator), own::<RawFacts>(generator)]);
+    if section == Section::Objects {
+        let entry = together(vec![own::<RawEntry>(generator), own::<RawFacts>(generator)]);
+        hold(&mut table, "entries", entry);
+        let object = table.clone();
+        hold(&mut table, "per-axis", object);
+    }
+    if !matches!(section.shape(), Shape::Single | Shape::List) {
+        add(&mut table, "like", text("Another table of the section, which this one is laid over."));
+        add(&mut table, "without", texts("Paths of what it does not have of that."));
+    }
+    table
+}
+
+/// The keys of an object and those of its value.
+impl JsonSchema for RawObject {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "object".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
+        let keys = together(vec![own::<RawObjectHead>(generator), own::<RawEntry>(generator)]);
+        keys.try_into().unwrap_or_default()
+    }
+}
 
 /// `[lints]`: levels by rule or by group: `"allow"`, `"warn"` or `"deny"`.
 #[derive(JsonSchema)]
@@ -104,37 +93,6 @@ enum Level {
     Warn,
     /// It is reported, and nothing is made of the description.
     Deny,
-}
-
-impl Section {
-    /// What a family has besides its members.
-    pub(super) const FAMILY: Self = section!("family", Single, RawFamily, RawFacts);
-
-    /// The schema of the section.
-    pub(super) fn schema(&self, generator: &mut SchemaGenerator) -> Value {
-        let table = self.table(generator);
-        match self.shape {
-            Shape::Single => table,
-            Shape::Map => json!({ "type": "object", "additionalProperties": table }),
-            Shape::List => json!({ "type": "array", "items": table }),
-        }
-    }
-
-    /// The schema of one of its tables.
-    pub(super) fn table(&self, generator: &mut SchemaGenerator) -> Value {
-        let mut table = together((self.parts)(generator));
-        if self.name == "objects" {
-            let entry = together(vec![own::<RawEntry>(generator), own::<RawFacts>(generator)]);
-            hold(&mut table, "entries", entry);
-            let object = table.clone();
-            hold(&mut table, "per-axis", object);
-        }
-        if self.shape == Shape::Map {
-            add(&mut table, "like", text("Another table of the section, which this one is laid over."));
-            add(&mut table, "without", texts("Paths of what it does not have of that."));
-        }
-        table
-    }
 }
 
 /// The schema of a type, in place.

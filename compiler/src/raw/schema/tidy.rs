@@ -1,18 +1,6 @@
 //! From what serde reads to what TOML can say.
 
-use schemars::Schema;
 use serde_json::{Value, json};
-
-/// Lets a text stand for the table, none of whose keys is needed in itself.
-pub(in crate::raw) fn or_text(schema: &mut Schema) {
-    schema.remove("required");
-    let description = schema.remove("description");
-    let table = std::mem::take(schema).to_value();
-    schema.insert("anyOf".into(), json!([{ "type": "string" }, table]));
-    if let Some(description) = description {
-        schema.insert("description".into(), description);
-    }
-}
 
 /// Takes out what TOML does not have: nothing as a value. Closes tables to keys that they do not know, and
 /// demands none, as what a table leaves out can be in what it is laid over.

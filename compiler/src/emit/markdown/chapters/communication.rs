@@ -131,7 +131,7 @@ fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {
     } = mailbox;
     let answer = |yes: &bool| String::from(if *yes { "yes" } else { "no" });
     let rows = [
-        ("Protocols", list(protocols.iter().map(|protocol| text(protocol)))),
+        ("Protocols", list(protocols.iter().map(|protocol| text(protocol.name())))),
         ("Reading out the dictionary (SDO information)", answer(sdo_info)),
         ("Choosing PDOs (0x1C12, 0x1C13)", answer(pdo_assign)),
         ("Changing what PDOs map", answer(pdo_config)),

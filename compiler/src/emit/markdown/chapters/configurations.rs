@@ -63,7 +63,7 @@ fn configuration(context: &Context<'_>, configuration: &Configuration) -> Config
         outputs: _,
         inputs: _,
         mode: _,
-        cycle_ns: _,
+        cycle_time: _,
         startup: _,
         origin: _,
     } = configuration;
@@ -87,7 +87,7 @@ fn facts(context: &Context<'_>, configuration: &Configuration) -> Vec<String> {
     };
     let facts = [
         configuration.mode.map(|mode| format!("Mode: {}", context.mode(mode))),
-        configuration.cycle_ns.map(|ns| format!("Cycle time: {}", duration(ns))),
+        configuration.cycle_time.map(|time| format!("Cycle time: {}", duration(time.0))),
         pdos("Outputs", &configuration.outputs),
         pdos("Inputs", &configuration.inputs),
     ];

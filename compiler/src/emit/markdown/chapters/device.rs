@@ -93,8 +93,8 @@ fn ports(physics: &str) -> String {
 }
 
 fn memory(eeprom: &Eeprom) -> String {
-    let Eeprom { size, config_data } = eeprom;
-    let config: Vec<String> = config_data.iter().map(|byte| format!("{byte:02X}")).collect();
+    let Eeprom { size, config_data, source: _, origin: _ } = eeprom;
+    let config: Vec<String> = config_data.0.iter().map(|byte| format!("{byte:02X}")).collect();
     let size = bytes(*size);
     if config.is_empty() { size } else { format!("{size}, begins with {}", code(config.join(" "))) }
 }

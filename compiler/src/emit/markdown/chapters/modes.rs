@@ -8,7 +8,7 @@ use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, link, list, sentence, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{DeviceControl, HomingBits, Mode, ModeBits, ModeChange, MotionCommand};
+use crate::model::{DeviceControl, Fields, HomingBits, Mode, ModeChange, MotionCommand};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -105,8 +105,8 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
     }
 }
 
-fn fields(context: &Context<'_>, title: &str, mode_bits: &ModeBits) -> Table {
-    table(title, &mode_bits.fields, |field| statements(context, field).join("<br>"))
+fn fields(context: &Context<'_>, title: &str, fields: &Fields) -> Table {
+    table(title, fields, |field| statements(context, field).join("<br>"))
 }
 
 /// By which bits a reference run is started and followed.

@@ -63,9 +63,12 @@ fn document_table(context: &Context<'_>, documents: &[Document]) -> Table {
 
 fn erratum_view(context: &Context<'_>, erratum: &Erratum) -> ErratumView {
     ErratumView {
-        at: context.prose(&erratum.at),
-        says: sentence(&context.prose(&erratum.says)),
-        holds: sentence(&context.prose(&erratum.holds)),
+        at: context.prose(&erratum.at.to_string()),
+        says: sentence(&context.prose(&erratum.says.to_string())),
+        holds: erratum
+            .holds
+            .as_ref()
+            .map_or(String::new(), |holds| sentence(&context.prose(&holds.to_string()))),
         why: sentence(&context.prose(&erratum.why)),
         rule: code(&erratum.rule),
         source: context.source_line(erratum.source.as_ref()),
@@ -75,7 +78,7 @@ fn erratum_view(context: &Context<'_>, erratum: &Erratum) -> ErratumView {
 fn remark_table(context: &Context<'_>, remarks: &[Remark]) -> Table {
     Table::of(["About", "Kind", "Notes", "Source"], remarks, |remark| {
         [
-            context.prose(&remark.at),
+            context.prose(&remark.at.to_string()),
             kind(remark.kind).into(),
             context.prose(&remark.text),
             context.source(remark.source.as_ref()),
@@ -94,6 +97,6 @@ fn kind(kind: RemarkKind) -> &'static str {
 fn assumption_table(context: &Context<'_>, assumptions: &[Assumption]) -> Table {
     Table::of(["About", "Taken to be", "Why"], assumptions, |assumption| {
         let value = assumption.value.as_ref().map_or(String::new(), code);
-        [context.prose(&assumption.at), value, context.prose(&assumption.reason)]
+        [context.prose(&assumption.at.to_string()), value, context.prose(&assumption.reason)]
     })
 }

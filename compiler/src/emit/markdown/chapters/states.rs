@@ -153,7 +153,7 @@ fn transition_table(context: &Context<'_>, transitions: &[Transition]) -> Table 
 }
 
 fn from(context: &Context<'_>, transition: &Transition) -> String {
-    match transition.from.as_slice() {
+    match &*transition.from {
         [] if transition.number == 0 => "*start*".into(),
         [] => "*any state*".into(),
         states => states.iter().map(|id| context.state(id)).collect::<Vec<_>>().join("<br>"),

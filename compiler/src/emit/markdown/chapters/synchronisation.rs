@@ -68,7 +68,7 @@ fn signal(signal: &SyncSignal) -> String {
         cycles if cycles < 0 => format!("{} times a cycle", cycles.unsigned_abs()),
         cycles => format!("every {cycles} cycles"),
     };
-    let shift = (signal.shift_ns > 0).then(|| format!("{} later", duration(signal.shift_ns)));
+    let shift = (signal.shift.0 > 0).then(|| format!("{} later", duration(signal.shift.0)));
     list([period].into_iter().chain(shift))
 }
 
@@ -77,8 +77,8 @@ fn cycle_times(context: &Context<'_>, times: &[CycleTime]) -> Table {
     Table::of(titles, times, |time| {
         [
             text(&time.name),
-            time.min_ns.map_or(String::new(), duration),
-            list(time.choices_ns.iter().map(|ns| duration(*ns))),
+            time.min.map_or(String::new(), |least| duration(least.0)),
+            list(time.choices.iter().map(|choice| duration(choice.0))),
             context.optional(time.about.as_deref()),
             context.source(time.source.as_ref()),
         ]
@@ -87,10 +87,10 @@ fn cycle_times(context: &Context<'_>, times: &[CycleTime]) -> Table {
 
 fn dead_time_view(context: &Context<'_>, dead_time: &DeadTime) -> DeadTimeView {
     DeadTimeView {
-        formula: format!("dead time = {} × cycle time + {}", dead_time.cycles, duration(dead_time.plus_ns)),
+        formula: format!("dead time = {} × cycle time + {}", dead_time.cycles, duration(dead_time.plus.0)),
         about: context.paragraphs(dead_time.about.as_deref()),
         examples: Table::of(["Cycle time", "Dead time"], EXAMPLES_NS, |cycle| {
-            let total = u64::from(dead_time.cycles) * cycle + dead_time.plus_ns;
+            let total = u64::from(dead_time.cycles) * cycle + dead_time.plus.0;
             [duration(cycle), format!("**{}**", duration(total))]
         }),
         source: context.source_line(dead_time.source.as_ref()),

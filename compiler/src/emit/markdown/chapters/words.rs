@@ -100,7 +100,7 @@ pub(super) fn statements(context: &Context<'_>, field: &Field) -> Vec<String> {
         falling,
         reserved: _,
         per_mode: _,
-        path: _,
+        key: _,
     } = field;
     let about = about.iter().map(|about| context.prose(about));
     let values = values.iter().map(|meaning| value(context, meaning));
@@ -123,8 +123,7 @@ fn by_mode(context: &Context<'_>, word: &Word, field: &Field) -> Vec<String> {
             "controlword" => &mode.control_bits,
             _ => &mode.status_bits,
         };
-        let same =
-            bits.fields.iter().filter(|own| own.low <= field.high && field.low <= own.high && !own.reserved);
+        let same = bits.iter().filter(|own| own.low <= field.high && field.low <= own.high && !own.reserved);
         same.map(|own| format!("{}: {}", link(mode_label(mode), context.mode_id(mode.code)), text(&own.name)))
     });
     lines.collect()

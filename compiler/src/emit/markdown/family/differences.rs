@@ -84,8 +84,8 @@ fn distinct<'a>(items: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 }
 
 fn cycle(time: &CycleTime) -> String {
-    let least = time.min_ns.map(|ns| format!("{} or more", duration(ns)));
-    list(least.into_iter().chain(time.choices_ns.iter().map(|ns| duration(*ns))))
+    let least = time.min.map(|least| format!("{} or more", duration(least.0)));
+    list(least.into_iter().chain(time.choices.iter().map(|choice| duration(choice.0))))
 }
 
 fn hex(number: u32) -> String {

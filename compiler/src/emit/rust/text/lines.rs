@@ -210,6 +210,7 @@ impl Lines<'_> {
     fn newline(&mut self, mark: &Mark, indent: usize) {
         self.at = mark.at + mark.skip;
         self.column = indent;
+        self.out.truncate(self.out.trim_end_matches(' ').len());
         self.out.push('\n');
         self.out.extend(std::iter::repeat_n(' ', indent));
     }

@@ -118,7 +118,7 @@ impl<'a> Facts<'a> {
             axis: _,
             category: _,
             entries: _,
-            provenance: _,
+            derived: _,
             source: _,
             origin: _,
         } = object;
@@ -141,7 +141,6 @@ impl<'a> Facts<'a> {
             id: _,
             name: _,
             data_type: _,
-            type_provenance: _,
             access: _,
             pdo: _,
             category: _,

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::is_mapping;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{link, small};
-use crate::model::{Category, Entry, Object, Provenance};
+use crate::model::{Category, Entry, Object, Place, Provenance, provenance};
 
 /// The profile says so, and the description of the device nothing else.
 const PROFILE: &str = "†";
@@ -28,27 +28,28 @@ impl Marks {
         let shown = objects.iter().filter(|object| !is_mapping(context, object));
         let mut entries = shown.flat_map(|object| &object.entries).peekable();
         let all_types = entries.peek().is_some()
-            && entries.all(|entry| entry.type_provenance != Provenance::Device)
-            && objects.iter().any(|object| object.provenance != Provenance::Derived);
+            && entries.all(|entry| provenance(&entry.origin, "type") != Provenance::Stated)
+            && objects.iter().any(|object| !object.derived);
         Self { all_types, used: BTreeSet::new() }
     }
 
     /// What is to be marked of an object.
     pub(super) fn object(&mut self, context: &Context<'_>, object: &Object) -> String {
-        let index = object.index.to_string();
-        let assumed = context.device.assumptions.iter().any(|assumption| assumption.at.starts_with(&index));
-        let provenance = match object.provenance {
-            Provenance::Device => None,
+        let at = Place::from(object.index);
+        let about = |place: &Place| (place.section, &place.key) == (at.section, &at.key);
+        let assumed = context.device.assumptions.iter().any(|assumption| about(&assumption.at));
+        let provenance = match provenance(&object.origin, "name") {
+            _ if object.derived => Some(DERIVED),
             Provenance::Profile => Some(PROFILE),
-            Provenance::Derived => Some(DERIVED),
+            _ => None,
         };
         let marks = provenance.into_iter().chain(assumed.then_some(ASSUMED));
         marks.map(|mark| self.mark(mark)).collect()
     }
 
     /// What is to be marked of the type of an entry.
-    pub(super) fn data_type(&mut self, provenance: Provenance) -> String {
-        let marked = provenance == Provenance::Profile && !self.all_types;
+    pub(super) fn data_type(&mut self, entry: &Entry) -> String {
+        let marked = provenance(&entry.origin, "type") == Provenance::Profile && !self.all_types;
         if marked { self.mark(PROFILE) } else { String::new() }
     }
 

@@ -69,7 +69,7 @@ impl<'c, 'a> Lines<'c, 'a> {
     fn facts(&mut self, entry: &Entry, need: Category) -> [String; 8] {
         let context = self.context;
         [
-            format!("{}{}", entry.data_type, self.marks.data_type(entry.type_provenance)),
+            format!("{}{}", entry.data_type, self.marks.data_type(entry)),
             access(entry.access).into(),
             mappable(entry.pdo).into(),
             context.default(entry),

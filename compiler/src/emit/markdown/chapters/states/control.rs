@@ -7,7 +7,8 @@ use crate::model::{DeviceControl, Refusal};
 /// What becomes of a wrong command.
 pub(super) fn commands(context: &Context<'_>, control: &DeviceControl) -> String {
     // What is left out stands beside the changes of mode.
-    let DeviceControl { wrong_command, about, source, wrong_mode: _, modes_selectable_in: _ } = control;
+    let DeviceControl { wrong_command, about, source, wrong_mode: _, modes_selectable_in: _, origin: _ } =
+        control;
     let refusal = match wrong_command {
         Refusal::Ignored => "A command that leads nowhere in the present state is ignored.",
         Refusal::Fault => {
@@ -21,7 +22,8 @@ pub(super) fn commands(context: &Context<'_>, control: &DeviceControl) -> String
 /// When a mode can be selected, and what becomes of a wrong one.
 pub(in crate::emit::markdown::chapters) fn modes(context: &Context<'_>, control: &DeviceControl) -> String {
     // What is left out stands beside the commands.
-    let DeviceControl { wrong_mode, modes_selectable_in, source, wrong_command: _, about: _ } = control;
+    let DeviceControl { wrong_mode, modes_selectable_in, source, wrong_command: _, about: _, origin: _ } =
+        control;
     let states = list(modes_selectable_in.iter().map(|id| context.state(id)));
     let selectable = match modes_selectable_in.as_slice() {
         [] => String::new(),

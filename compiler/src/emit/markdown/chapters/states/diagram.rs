@@ -42,7 +42,7 @@ fn arrows(device: &Device) -> Vec<(String, String, Vec<String>)> {
 const ANY: &str = "any_state";
 
 fn starts(transition: &Transition) -> Vec<String> {
-    match transition.from.as_slice() {
+    match &*transition.from {
         [] if transition.number == 0 => vec!["[*]".into()],
         [] => vec![ANY.into()],
         states => states.iter().map(|id| node(id)).collect(),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 /// A name in kebab case: letters and digits of ASCII, everything else a dash.
-pub(super) fn id(name: &str) -> String {
+pub(crate) fn id(name: &str) -> String {
     let mut id = String::with_capacity(name.len());
     for c in name.chars() {
         if c.is_ascii_alphanumeric() {
@@ -18,11 +18,11 @@ pub(super) fn id(name: &str) -> String {
 
 /// The ids that siblings have, each with the first number that may still be free behind it.
 #[derive(Debug, Default)]
-pub(super) struct Siblings(BTreeMap<String, u32>);
+pub(crate) struct Siblings(BTreeMap<String, u32>);
 
 impl Siblings {
     /// An id that no sibling has yet: the id itself, or the id with the first free number.
-    pub(super) fn claim(&mut self, name: &str) -> String {
+    pub(crate) fn claim(&mut self, name: &str) -> String {
         let mut id = id(name);
         if let Some(first) = self.0.get(&id).copied() {
             let (number, numbered) = (first..)

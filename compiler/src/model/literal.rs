@@ -105,6 +105,7 @@ impl<'de> Deserialize<'de> for Fraction {
 
 /// A time in nanoseconds, written with its unit: `"250 us"`, `"1 ms"`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Duration(pub u64);
 
 impl<'de> Deserialize<'de> for Duration {
@@ -129,6 +130,7 @@ impl<'de> Deserialize<'de> for Duration {
 
 /// Bytes in hexadecimal: `"050E 03EE"`.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Hex(pub Vec<u8>);
 
 impl<'de> Deserialize<'de> for Hex {
@@ -148,7 +150,16 @@ impl<'de> Deserialize<'de> for Hex {
 
 /// One text, or a list of texts: `"fault"`, `["fault", "switched-on"]`.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct OneOrMore(pub Vec<String>);
+
+impl std::ops::Deref for OneOrMore {
+    type Target = [String];
+
+    fn deref(&self) -> &[String] {
+        &self.0
+    }
+}
 
 impl<'de> Deserialize<'de> for OneOrMore {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

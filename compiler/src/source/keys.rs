@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 /// A whole number in decimal or hexadecimal, with a sign or without.
-pub(super) fn number(text: &str) -> Option<i64> {
+pub(crate) fn number(text: &str) -> Option<i64> {
     let (negative, digits) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
     let value = match digits.strip_prefix("0x").or_else(|| digits.strip_prefix("0X")) {
         Some(hex) if !hex.starts_with(['+', '-']) => i64::from_str_radix(hex, 16).ok()?,
@@ -14,7 +14,7 @@ pub(super) fn number(text: &str) -> Option<i64> {
 }
 
 /// A number, or a range of numbers such as `"4..=6"`.
-pub(super) fn range<T: TryFrom<i64> + PartialOrd + Copy>(text: &str) -> Option<RangeInclusive<T>> {
+pub(crate) fn range<T: TryFrom<i64> + PartialOrd + Copy>(text: &str) -> Option<RangeInclusive<T>> {
     let (first, last) = text.split_once("..=").unwrap_or((text, text));
     let first = T::try_from(number(first.trim())?).ok()?;
     let last = T::try_from(number(last.trim())?).ok()?;
@@ -22,7 +22,7 @@ pub(super) fn range<T: TryFrom<i64> + PartialOrd + Copy>(text: &str) -> Option<R
 }
 
 /// The place of a name in a list, or of a range of names such as `"Y..=W"`.
-pub(super) fn names(text: &str, known: &[String]) -> Option<RangeInclusive<usize>> {
+pub(crate) fn names(text: &str, known: &[String]) -> Option<RangeInclusive<usize>> {
     let (first, last) = text.split_once("..=").unwrap_or((text, text));
     let place = |name: &str| known.iter().position(|known| known == name.trim());
     let (first, last) = (place(first)?, place(last)?);

@@ -10,7 +10,7 @@ use serde::forward_to_deserialize_any;
 /// Reads a `T` for which a string stands for the table that has only `key`.
 ///
 /// The string or table goes through `T`'s own list of keys, so that unknown ones are found as everywhere.
-pub(in crate::raw) fn shorthand<'de, T, D>(
+pub(crate) fn shorthand<'de, T, D>(
     deserializer: D,
     key: &'static str,
     expecting: &'static str,

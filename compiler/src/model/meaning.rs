@@ -1,0 +1,88 @@
+//! What single values, and ranges of values, mean.
+
+use serde::Deserialize;
+use serde::de::Deserializer;
+
+use super::ids::Siblings;
+use super::keyed::{Number, Range, keyed, list};
+use super::model;
+use super::shorthand::shorthand;
+
+model! {
+    /// What a value means.
+    pub struct Meaning {
+        /// The value.
+        pub value: i64,
+        /// The word for it, unique among its siblings.
+        pub id: String,
+        /// Its name.
+        pub name: String,
+        /// What it means in full.
+        pub about: Option<String>,
+    }
+
+    /// What a value, or each value of a range, means.
+    pub struct ValueRange {
+        /// The first value.
+        pub first: i64,
+        /// The last value.
+        pub last: i64,
+        /// What it is called.
+        pub name: String,
+        /// What it means in full.
+        pub about: Option<String>,
+    }
+}
+
+/// What a value means: its name alone, or a table.
+#[derive(Debug, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "ValueMeaning", transform = super::schema::or_text))]
+pub(crate) struct Named {
+    /// Its name.
+    name: String,
+    /// What it means in full.
+    about: Option<String>,
+}
+
+#[derive(Deserialize)]
+struct NamedTable {
+    name: String,
+    about: Option<String>,
+}
+
+impl<'de> Deserialize<'de> for Named {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let NamedTable { name, about } = shorthand(deserializer, "name", "a name, or a table with a `name`")?;
+        Ok(Self { name, about })
+    }
+}
+
+list! {
+    /// What single values mean, by value.
+    Meanings of Meaning as Named;
+    /// What values and ranges of values mean, by the first value.
+    ValueRanges of ValueRange as Named;
+}
+
+impl<'de> Deserialize<'de> for Meanings {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut named: Vec<(Number, Named)> = keyed(deserializer)?;
+        named.sort_by_key(|(Number(value), _)| *value);
+        let mut ids = Siblings::default();
+        let meaning =
+            |(Number(value), Named { name, about })| Meaning { value, id: ids.claim(&name), name, about };
+        Ok(Self(named.into_iter().map(meaning).collect()))
+    }
+}
+
+impl<'de> Deserialize<'de> for ValueRanges {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let named: Vec<(Range<i64>, Named)> = keyed(deserializer)?;
+        let range =
+            |(Range { first, last, .. }, Named { name, about })| ValueRange { first, last, name, about };
+        let mut ranges: Vec<ValueRange> = named.into_iter().map(range).collect();
+        ranges.sort_by_key(|range| range.first);
+        Ok(Self(ranges))
+    }
+}

@@ -1,0 +1,28 @@
+//! What the device is: `[device]`.
+
+use super::raw;
+
+raw! {
+    /// `[device]`: how the drive is named and grouped.
+    pub struct RawHead {
+        /// The name people order it by.
+        pub name: String,
+        /// The vendor's name.
+        pub vendor: String,
+        /// What it is, in one line.
+        pub title: Option<String>,
+        /// What it is, in a paragraph.
+        pub about: Option<String>,
+        /// The order numbers that share this description.
+        #[serde(default)]
+        pub models: Vec<String>,
+        /// The group a configuration tool lists it under; the vendor's name for its drives.
+        pub group: Option<String>,
+        /// The type as an ESI names it, without spaces; made from the name if absent.
+        pub type_name: Option<String>,
+        /// The device profile it follows, 402 for drives.
+        pub profile: Option<u32>,
+        /// One letter for each port as ESI wants it: `Y` for MII (RJ45), `K` for LVDS (E-Bus).
+        pub physics: Option<String>,
+    }
+}

@@ -1,0 +1,59 @@
+//! The members of a family: what they share, and what each has of its own.
+
+use std::sync::Arc;
+
+use super::compose::{self, wrong_type};
+use super::read::Sections;
+use super::{RawDevice, like};
+use crate::diagnostic::Diagnostics;
+use crate::source::{Document, Node, Sources, Table};
+
+/// Decodes a description: a [`RawDevice`] for each member of its family, or just one.
+///
+/// Every bad table is reported, not only the first.
+pub fn read(
+    document: &Document,
+    id: &str,
+    sources: &Sources,
+    diagnostics: &mut Diagnostics,
+) -> Vec<RawDevice> {
+    let trees = members(document, id, diagnostics);
+    let devices = trees.into_iter().map(|(id, tree, removed)| {
+        let tree = compose::over_profile(&tree, &document.profile);
+        let tree = compose::strip(tree, &removed, diagnostics);
+        Sections::new(&tree, sources, diagnostics).device(id)
+    });
+    devices.collect()
+}
+
+/// The tree of each member with the lists of what is taken out of it: the shared one and its own.
+fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<(String, Table, Vec<Node>)> {
+    let mut shared = document.root.clone();
+    shared.members.retain(|section| &*section.key.name != "members");
+    // A table is like another as it is for all members.
+    shared = like::alike(shared, diagnostics);
+    let removed: Vec<Node> = shared.get("without").map(|list| list.node.clone()).into_iter().collect();
+    let Some(members) = document.root.get("members") else {
+        return vec![(id.to_owned(), shared, removed)];
+    };
+    let Some(members) = table_of(&members.node, diagnostics) else { return Vec::new() };
+    let trees = members.members.iter().filter_map(|member| {
+        let own = table_of(&member.node, diagnostics)?;
+        let like = like::find(&own, &members, diagnostics);
+        let lists = [like.as_deref(), Some(&*own)].into_iter().flatten().filter_map(|t| t.get("without"));
+        let removed = removed.iter().cloned().chain(lists.map(|list| list.node.clone())).collect();
+        let mut tree = like.iter().fold(shared.clone(), |tree, like| like.over(&tree));
+        tree = like::alike(own.over(&tree), diagnostics);
+        tree.members.retain(|section| &*section.key.name != "like");
+        Some((member.key.name.to_string(), tree, removed))
+    });
+    trees.collect()
+}
+
+fn table_of(node: &Node, diagnostics: &mut Diagnostics) -> Option<Arc<Table>> {
+    let table = node.table().cloned();
+    if table.is_none() {
+        diagnostics.push(wrong_type(node, "a table"));
+    }
+    table
+}

@@ -1,0 +1,120 @@
+//! Objects, whose tables hold tables of their own and can differ from axis to axis.
+
+use std::sync::Arc;
+
+use super::decode::Reader;
+use super::read::{Entity, Read, Sections};
+use super::{RawEntries, RawEntry, RawFacts, RawObject};
+use crate::source::{Location, Member, Node, Origin, Table, Value, keys};
+
+/// The keys that an object's table can have for all of its entries.
+const SHARED: &[&str] = &[
+    "type",
+    "access",
+    "pdo",
+    "category",
+    "unit",
+    "default",
+    "min",
+    "max",
+    "values",
+    "written",
+    "functional",
+    "trigger",
+];
+
+impl Read for RawObject {
+    fn read(entity: Entity<'_>, sections: &mut Sections<'_>) -> Option<Self> {
+        let Entity { section, key, header, table } = entity;
+        let Some(index) = sections.index(key) else {
+            sections.invalid(key, "an index such as 0x6040", header);
+            return None;
+        };
+        let mut reader = Reader::new(&table, sections.diagnostics);
+        let head = reader.part();
+        let value = reader.part::<RawEntry>();
+        let facts = reader.part::<RawFacts>();
+        reader.finish();
+        let (head, value, source) = (head?, value?, sections.source(&facts?));
+        let entries = inner(&table, "entries").iter().filter_map(|member| entries(member, &table, sections));
+        let entries = entries.collect();
+        let shared = shared(&table, header, sections)?;
+        let per_axis = inner(&table, "per-axis").iter().filter_map(|axes| {
+            let table = on_axes(&table, axes, sections)?;
+            Some((axes.key.name.to_string(), Self::read(Entity { section, key, header, table }, sections)?))
+        });
+        let per_axis = per_axis.collect();
+        let origin = Origin::new(header, table);
+        Some(Self { key: key.to_owned(), index, head, value, entries, shared, per_axis, source, origin })
+    }
+}
+
+/// The object's table with what differs on some axes laid over.
+fn on_axes(table: &Table, axes: &Member, sections: &mut Sections<'_>) -> Option<Arc<Table>> {
+    let differing = sections.table(&axes.node)?;
+    let mut shared = table.clone();
+    shared.members.retain(|member| &*member.key.name != "per-axis");
+    Some(Arc::new(differing.over(&shared)))
+}
+
+fn entries(member: &Member, object: &Table, sections: &mut Sections<'_>) -> Option<RawEntries> {
+    let own = sections.table(&member.node)?;
+    let Some(range) = keys::range::<u8>(&member.key.name) else {
+        let expected = "a subindex from 0 to 255, or a range of them such as \"1..=16\"";
+        sections.invalid(&member.key.name, expected, member.key.at);
+        return None;
+    };
+    let range = (*range.start(), *range.end());
+    let table = if range == (0, 0) { own } else { Arc::new(with_shared(&own, object)) };
+    let mut reader = Reader::new(&table, sections.diagnostics);
+    let value = reader.part();
+    let facts = reader.part::<RawFacts>();
+    reader.finish();
+    let (value, source) = (value?, sections.source(&facts?));
+    Some(RawEntries { range, value, source, origin: Origin::new(member.key.at, table) })
+}
+
+/// What the object's table says for all entries, as an entry of which nothing else is said.
+fn shared(object: &Table, header: Location, sections: &mut Sections<'_>) -> Option<RawEntries> {
+    let table = Arc::new(with_shared(&Table { at: object.at, members: Vec::new() }, object));
+    let mut reader = Reader::new(&table, sections.diagnostics);
+    let value = reader.part()?;
+    Some(RawEntries { range: (1, u8::MAX), value, source: None, origin: Origin::new(header, table) })
+}
+
+/// The table of an entry with what the object's table says for all entries. What a description says there is more than
+/// what a profile says of the entry.
+fn with_shared(own: &Table, object: &Table) -> Table {
+    let mut table = own.clone();
+    for shared in object.members.iter().filter(|member| SHARED.contains(&&*member.key.name)) {
+        match table.position(&shared.key.name).and_then(|place| table.members.get_mut(place)) {
+            Some(own) if own.layer < shared.layer => {
+                *own = Member { under: Some(Arc::new(own.node.clone())), ..shared.clone() };
+            }
+            Some(own) if own.under.is_none() && shared.layer < own.layer => {
+                own.under = Some(Arc::new(shared.node.clone()))
+            }
+            Some(_) => {}
+            None => table.members.push(shared.clone()),
+        }
+    }
+    table.members.extend(assumed(own, object));
+    table
+}
+
+/// The reasons that the object's table gives for all entries, if the entry has none of its own.
+fn assumed(own: &Table, object: &Table) -> Option<Member> {
+    let reasons = object.get("assumed").filter(|_| own.get("assumed").is_none())?;
+    let Value::Table(keys) = &reasons.node.value else { return Some(reasons.clone()) };
+    let mut shared = Table::clone(keys);
+    shared
+        .members
+        .retain(|reason| SHARED.contains(&&*reason.key.name) && own.get(&reason.key.name).is_none());
+    let node = Node { at: reasons.node.at, value: Value::Table(Arc::new(shared)) };
+    Some(Member { node, ..reasons.clone() })
+}
+
+/// The members of a table inside a table.
+fn inner<'t>(table: &'t Table, name: &str) -> &'t [Member] {
+    table.get(name).and_then(|member| member.node.table()).map_or(&[], |table| &table.members)
+}
