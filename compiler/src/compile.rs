@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::diagnostic::Diagnostics;
 use crate::lint::{self, Checked, Levels};
 use crate::model::Family;
+use crate::resolve::Resolved;
 use crate::source::{Loader, Sources, load};
 use crate::{profiles, raw, resolve};
 
@@ -74,19 +75,20 @@ fn stages(
     compilation: &mut Compilation,
     enter: &mut dyn FnMut(Stage),
 ) -> Option<Checked<Family>> {
-    let (family, mut levels) = resolved(loader, path, compilation, enter)?;
+    let (resolved, mut levels) = resolved(loader, path, compilation, enter)?;
     levels.extend(over);
     enter(Stage::Check);
-    lint::check(family, &levels, &compilation.sources, &mut compilation.diagnostics)
+    lint::check(resolved, &levels, &compilation.sources, &mut compilation.diagnostics)
 }
 
-/// The devices before any rule has seen them, with the levels that their description gives the rules.
+/// The devices before any rule has seen them, as written and as they hold, with the levels that their description gives
+/// the rules.
 pub(crate) fn resolved(
     loader: &dyn Loader,
     path: &Path,
     compilation: &mut Compilation,
     enter: &mut dyn FnMut(Stage),
-) -> Option<(Family, Levels)> {
+) -> Option<(Resolved, Levels)> {
     let Compilation { diagnostics, sources, files, .. } = compilation;
     enter(Stage::Load);
     let document = load(loader, path, profiles::ALL, sources, diagnostics)?;
@@ -100,10 +102,10 @@ pub(crate) fn resolved(
     if diagnostics.has_errors() {
         return None;
     }
-    let levels = members.first().map(|device| Levels::described(&device.lints)).unwrap_or_default();
+    let levels = members.first().map(|member| Levels::described(&member.printed.lints)).unwrap_or_default();
     enter(Stage::Resolve);
-    let family = resolve::resolve(&id, members, diagnostics)?;
-    Some((family, levels))
+    let resolved = resolve::resolve(&id, members, diagnostics)?;
+    Some((resolved, levels))
 }
 
 /// The name of the description's folder, from which the outputs take theirs.

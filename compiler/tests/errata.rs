@@ -48,3 +48,115 @@ fn each_erratum_answers_one_finding() {
         assert!(!errata.is_empty(), "{name} has errata");
     }
 }
+
+/// A device of two axes with a misprint of each kind.
+const MISPRINTED: &str = r#"
+[device]
+name = "Example"
+vendor = "Example"
+profile = 402
+
+[identity]
+vendor-id = 0x76D
+product-code = 3
+revision = 1
+
+[objects.0x2000]
+name = "Gains"
+[objects.0x2000.entries]
+0 = { default = 5 }
+"1..=4" = { name = "Gain {}", type = "UINT16", default = 9, max = 8 }
+
+[objects.0x6041]
+name = "Statusword"
+type = "UINT16"
+
+[words.statusword]
+bits.3 = { name = "fault", reserved = true, rising = "Something went wrong." }
+
+[states]
+fault = { name = "Fault", pattern = "x0xx 1000" }
+
+[transitions]
+1 = { to = "fault", pattern = "xxxx xx0x", automatic = true }
+
+[errors]
+0x3130 = { name = "Phase lost", register = 0x81, vendor-codes = [4, 5] }
+"#;
+
+fn corrected(errata: &str) -> devc::model::Device {
+    let text = format!("{MISPRINTED}\n{errata}");
+    let memory = devc::source::Memory::default().with("example/device.toml", text.into_bytes());
+    let mut levels = devc::lint::Levels::default();
+    for group in ["dictionary", "values", "state-machine", "process-data", "facts", "output"] {
+        levels.set(group, devc::diagnostic::Level::Allow, None);
+    }
+    let compilation = devc::compile_with(&memory, Path::new("example"), &levels, &mut |_| ());
+    let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
+    let family = compilation.family.unwrap_or_else(|| panic!("{messages:?}"));
+    family.members[0].clone()
+}
+
+#[test]
+fn outputs_get_what_holds() {
+    use devc::model::{Address, Index, Provenance, provenance};
+    let device = corrected(
+        r#"
+        [[errata]]
+        rule = "contradicted-count"
+        at = "0x2000:00"
+        says = { default = 5 }
+        holds = { default = 4 }
+        why = "four follow"
+
+        [[errata]]
+        rule = "unreachable-default"
+        at = "0x2000:02"
+        says = { default = 9 }
+        holds = { default = 7 }
+        why = "a slip"
+
+        [[errata]]
+        rule = "meaningful-reserved-bit"
+        at = "words.statusword.3"
+        says = { reserved = true }
+        holds = {}
+        why = "the text uses it"
+
+        [[errata]]
+        rule = "commanded-automatic-transition"
+        at = "transitions.1"
+        says = { pattern = "xxxx xx0x", automatic = true }
+        holds = { automatic = false }
+        why = "no bit sets it off"
+
+        [[errata]]
+        rule = "misclassified-error"
+        at = "errors.12592"
+        says = { register = 0x81, vendor-codes = [4, 5] }
+        why = "nobody knows"
+
+        [[errata]]
+        rule = "placeholder-identity"
+        at = "identity.revision"
+        says = 1
+        holds = 2
+        why = "the second edition"
+        "#,
+    );
+    let entry = |subindex| device.entry(Address { index: Index(0x2000), subindex }).expect("an entry");
+    let default = |subindex| entry(subindex).default.as_ref().and_then(devc::model::Value::integer);
+    assert_eq!([0, 1, 2, 3, 4].map(default), [4, 9, 7, 9, 9].map(Some));
+    assert_eq!(entry(2).name, "Gain 2");
+    assert_eq!(provenance(&entry(2).origin, "default"), Provenance::Corrected(1));
+    assert_eq!(provenance(&entry(3).origin, "default"), Provenance::Stated);
+    assert!(!device.words[0].fields[0].reserved);
+    let transition = &device.transitions[0];
+    assert_eq!((transition.automatic, &transition.pattern), (false, &None));
+    let error = &device.errors[0];
+    assert_eq!(error.register, Some(0x81), "what is contradicted stays");
+    assert_eq!(provenance(&error.origin, "register"), Provenance::Contradicted(4));
+    assert_eq!(provenance(&error.origin, "name"), Provenance::Stated);
+    assert_eq!(device.identity.revision, 2);
+    assert_eq!(provenance(&device.identity.origin, "revision"), Provenance::Corrected(5));
+}

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::report::Finding;
-use super::rules::{idle_erratum, unknown_rule};
+use super::rules::{idle_erratum, unknown_rule, unmended_erratum};
 use crate::diagnostic::Diagnostic;
 use crate::model::Device;
 use crate::source::Location;
@@ -37,4 +37,18 @@ impl Errata {
         let Self { answering, idle } = self;
         idle.into_iter().filter(move |(at, _)| !answering.contains(at)).map(|(_, diagnostic)| diagnostic)
     }
+}
+
+/// What is to be said of a member as it holds: faults that it did not have as written, and those that an erratum
+/// answers by something else but leaves as they are.
+pub(super) fn judge(device: &Device, printed: &[Finding], held: Vec<Finding>) -> Vec<Diagnostic> {
+    let key = |finding: &Finding| (finding.diagnostic.rule.name, finding.at.clone());
+    let known: BTreeSet<_> = printed.iter().map(key).collect();
+    let (still, new): (Vec<_>, Vec<_>) = held.into_iter().partition(|finding| known.contains(&key(finding)));
+    let answered = device.errata.iter().filter(|erratum| erratum.holds.is_some());
+    let unmended = answered.filter(|erratum| {
+        still.iter().any(|finding| finding.diagnostic.rule.name == erratum.rule && finding.at == erratum.at)
+    });
+    let unmended = unmended.map(unmended_erratum::judge).collect::<Vec<_>>();
+    new.into_iter().map(|finding| finding.diagnostic).chain(unmended).collect()
 }

@@ -16,11 +16,13 @@ pub use levels::Levels;
 pub use rules::ALL;
 
 use errata::Errata;
+use report::Finding;
 
 pub(crate) use report::Report;
 
 use crate::diagnostic::{Diagnostics, Rule};
 use crate::model::{Device, Family};
+use crate::resolve::Resolved;
 use crate::source::Sources;
 
 /// A rule with the function that looks for its fault.
@@ -30,38 +32,53 @@ pub struct Lint {
     pub(crate) check: fn(&Device, &mut Report),
 }
 
-/// Runs every rule on every member; the family comes back as checked if none of them refuses it.
+/// Runs every rule on every member; the family comes back as checked, as it holds, if none of them refuses it.
 ///
-/// Errata take out what they answer, then levels decide how bad the rest is.
-pub fn check(
-    family: Family,
+/// Rules judge what is written. Errata take out what they answer, then levels decide how bad the rest is. What holds
+/// instead is judged, too: it must not have the fault that it answers, nor another.
+pub(crate) fn check(
+    resolved: Resolved,
     levels: &Levels,
     sources: &Sources,
     diagnostics: &mut Diagnostics,
 ) -> Option<Checked<Family>> {
-    run(ALL, &family, levels, sources, diagnostics);
-    (!diagnostics.has_errors()).then_some(Checked(family))
+    run(ALL, &resolved, levels, sources, diagnostics);
+    let Resolved { printed, held } = resolved;
+    (!diagnostics.has_errors()).then(|| Checked(held.unwrap_or(printed)))
 }
 
 /// Runs rules on all members, in any order.
 fn run<'l>(
     rules: impl IntoIterator<Item = &'l Lint> + Clone,
-    family: &Family,
+    resolved: &Resolved,
     levels: &Levels,
     sources: &Sources,
     diagnostics: &mut Diagnostics,
 ) {
     let mut errata = Errata::default();
-    for (i, device) in family.members.iter().enumerate() {
-        let earlier = family.members.get(..i).unwrap_or_default();
-        let mut report = Report::new(sources, earlier);
-        for lint in rules.clone() {
-            (lint.check)(device, &mut report);
-        }
-        let mut findings = report.finish();
-        errata.apply(device, &mut findings);
-        diagnostics.extend(findings.into_iter().filter_map(|finding| levels.judge(finding.diagnostic)));
+    let mut messages = Vec::new();
+    for (i, device) in resolved.printed.members.iter().enumerate() {
+        let mut printed = findings(rules.clone(), &resolved.printed, i, sources);
+        let held = resolved.held.as_ref().map(|held| findings(rules.clone(), held, i, sources));
+        messages.extend(held.into_iter().flat_map(|held| errata::judge(device, &printed, held)));
+        errata.apply(device, &mut printed);
+        messages.extend(printed.into_iter().map(|finding| finding.diagnostic));
     }
-    let beyond = errata.idle().chain(levels.unknown());
-    diagnostics.extend(beyond.filter_map(|diagnostic| levels.judge(diagnostic)));
+    messages.extend(errata.idle().chain(levels.unknown()));
+    diagnostics.extend(messages.into_iter().filter_map(|message| levels.judge(message)));
+}
+
+/// What rules find at a member of a family.
+fn findings<'l>(
+    rules: impl IntoIterator<Item = &'l Lint>,
+    family: &Family,
+    member: usize,
+    sources: &Sources,
+) -> Vec<Finding> {
+    let (earlier, device) = (family.members.get(..member), family.members.get(member));
+    let mut report = Report::new(sources, earlier.unwrap_or_default());
+    for lint in rules {
+        device.iter().for_each(|device| (lint.check)(device, &mut report));
+    }
+    report.finish()
 }

@@ -12,11 +12,12 @@ fn findings<'l>(rules: impl Iterator<Item = &'l Lint> + Clone) -> Diagnostics {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices/c887");
     let mut compilation = Compilation::default();
     let resolved = resolved(&Disk, &path, &mut compilation, &mut |_| ());
-    let (mut family, levels) = resolved.expect("the description resolves");
-    for device in &mut family.members {
+    let (mut resolved, levels) = resolved.expect("the description resolves");
+    resolved.held = None;
+    for device in &mut resolved.printed.members {
         device.errata.clear();
     }
-    run(rules, &family, &levels, &compilation.sources, &mut compilation.diagnostics);
+    run(rules, &resolved, &levels, &compilation.sources, &mut compilation.diagnostics);
     compilation.diagnostics.finish();
     compilation.diagnostics
 }

@@ -52,7 +52,7 @@ pub use index::{Address, Index};
 pub use literal::{Duration, Fraction, Hex, Literal, OneOrMore};
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
 pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
-pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger};
+pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger, WriteWindow};
 pub(crate) use parameter::coordinate;
 pub use parameter::{AxisGroup, Coordinates, Group, Parameter};
 pub use pattern::{Bit, Pattern};

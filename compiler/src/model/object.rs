@@ -64,8 +64,8 @@ model! {
         pub max: Option<Value>,
         /// What single values mean.
         pub values: Meanings,
-        /// The change of the EtherCAT state during which it may be written; any time if none.
-        pub written: Option<String>,
+        /// The EtherCAT states in which it may be written; any in which there is a mailbox if none.
+        pub written: Option<WriteWindow>,
         /// What it is for.
         pub about: Option<String>,
         /// What else is to be said of it here.
@@ -138,6 +138,25 @@ part! {
         RxTx,
     }
 
+    /// The EtherCAT states in which a value may be written, of those in which there is a mailbox.
+    #[derive(Copy, Eq)]
+    pub enum WriteWindow {
+        /// Pre-Operational: before the transition `PS`, which can stand for it.
+        #[serde(alias = "PS")]
+        PreOp,
+        /// Pre-Operational and Safe-Operational.
+        PreOpSafeOp,
+        /// Pre-Operational and Operational.
+        PreOpOp,
+        /// Safe-Operational: before the transition `SO`, which can stand for it.
+        #[serde(alias = "SO")]
+        SafeOp,
+        /// Safe-Operational and Operational.
+        SafeOpOp,
+        /// Operational.
+        Op,
+    }
+
     /// Whether a profile demands an object.
     #[derive(Copy, Eq, Default)]
     pub enum Category {
@@ -148,6 +167,32 @@ part! {
         Optional,
         /// If something else is there.
         Conditional,
+    }
+}
+
+impl WriteWindow {
+    /// Its name in an ESI file, ETG.2000.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PreOp => "PreOP",
+            Self::PreOpSafeOp => "PreOP_SafeOP",
+            Self::PreOpOp => "PreOP_OP",
+            Self::SafeOp => "SafeOP",
+            Self::SafeOpOp => "SafeOP_OP",
+            Self::Op => "OP",
+        }
+    }
+
+    /// Whether the states are among them: Pre-Operational, Safe-Operational, Operational.
+    pub fn states(self) -> [bool; 3] {
+        match self {
+            Self::PreOp => [true, false, false],
+            Self::PreOpSafeOp => [true, true, false],
+            Self::PreOpOp => [true, false, true],
+            Self::SafeOp => [false, true, false],
+            Self::SafeOpOp => [false, true, true],
+            Self::Op => [false, false, true],
+        }
     }
 }
 

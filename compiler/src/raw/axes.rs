@@ -3,6 +3,8 @@
 use serde::Deserialize;
 
 use super::raw;
+use crate::model::Index;
+use crate::source::keys;
 
 raw! {
     /// `[axes]`: the axes of a device and how their objects are spaced.
@@ -31,4 +33,24 @@ pub struct RawShift {
     pub range: String,
     /// The distance from an axis to the next.
     pub by: u16,
+}
+
+impl RawAxes {
+    /// The index on the first axis of what lies at an index on another one, and that axis.
+    pub(super) fn leading(&self, index: Index) -> Option<(Index, Option<usize>)> {
+        self.shifts.iter().find_map(|shift| {
+            let range = keys::range::<u16>(&shift.range)?;
+            let mut axes = (1..self.names.len()).filter_map(|axis| {
+                let distance = u16::try_from(axis).ok()?.checked_mul(shift.by)?;
+                let leading = index.0.checked_sub(distance).filter(|leading| range.contains(leading))?;
+                Some((Index(leading), Some(axis)))
+            });
+            axes.next()
+        })
+    }
+
+    /// Whether an axis is one of those that a name or a range of names means.
+    pub(super) fn has(&self, names: &str, axis: usize) -> bool {
+        keys::names(names, &self.names).is_some_and(|range| range.contains(&axis))
+    }
 }

@@ -4,24 +4,32 @@ use std::sync::Arc;
 
 use super::compose::{self, wrong_type};
 use super::read::Sections;
-use super::{RawDevice, like};
+use super::{RawDevice, errata, like};
 use crate::diagnostic::Diagnostics;
 use crate::source::{Document, Node, Sources, Table};
 
-/// Decodes a description: a [`RawDevice`] for each member of its family, or just one.
+/// A device as it is written, and as it holds.
+#[derive(Debug)]
+pub struct Reading {
+    /// As it is written: what rules judge.
+    pub printed: RawDevice,
+    /// With what errata say instead, if they say something: what outputs show.
+    pub corrected: Option<RawDevice>,
+}
+
+/// Decodes a description: each member of its family, or the one device.
 ///
 /// Every bad table is reported, not only the first.
-pub fn read(
-    document: &Document,
-    id: &str,
-    sources: &Sources,
-    diagnostics: &mut Diagnostics,
-) -> Vec<RawDevice> {
+pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut Diagnostics) -> Vec<Reading> {
     let trees = members(document, id, diagnostics);
     let devices = trees.into_iter().map(|(id, tree, removed)| {
         let tree = compose::over_profile(&tree, &document.profile);
         let tree = compose::strip(tree, &removed, diagnostics);
-        Sections::new(&tree, sources, diagnostics).device(id)
+        let printed = Sections::new(&tree, sources, diagnostics).device(id.clone());
+        let held =
+            if diagnostics.has_errors() { None } else { errata::corrected(&tree, &printed, diagnostics) };
+        let corrected = held.map(|tree| Sections::new(&tree, sources, diagnostics).device(id));
+        Reading { printed, corrected }
     });
     devices.collect()
 }

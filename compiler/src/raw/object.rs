@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use crate::model::{Access, Category, Index, Kind, Literal, Mappable, Meanings, Source};
+use crate::model::{Access, Category, Index, Kind, Literal, Mappable, Meanings, Source, WriteWindow};
 use crate::source::Origin;
 
 /// An object as written: what makes it an object, and its values.
@@ -35,6 +35,8 @@ pub struct RawObject {
 pub struct RawEntries {
     /// The first and the last subindex.
     pub range: (u8, u8),
+    /// Whether it is written as a range, so that names and parameters are numbered.
+    pub many: bool,
     /// What is said of each, in its table or for all entries in the object's.
     pub value: RawEntry,
     /// Where its facts are from, if not where the object's are.
@@ -101,8 +103,8 @@ pub struct RawEntry {
     pub max: Option<Literal>,
     /// What single values mean, by value.
     pub values: Option<Meanings>,
-    /// The state change during which it may be written, as `"PS"`; in any state if absent.
-    pub written: Option<String>,
+    /// The EtherCAT states in which it may be written; any in which there is a mailbox if absent.
+    pub written: Option<WriteWindow>,
     /// What it is for.
     pub about: Option<String>,
     /// What else is to be said of it here.

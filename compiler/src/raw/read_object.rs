@@ -71,7 +71,8 @@ fn entries(member: &Member, object: &Table, sections: &mut Sections<'_>) -> Opti
     let facts = reader.part::<RawFacts>();
     reader.finish();
     let (value, source) = (value?, sections.source(&facts?));
-    Some(RawEntries { range, value, source, origin: Origin::new(member.key.at, table) })
+    let many = member.key.name.contains("..=");
+    Some(RawEntries { range, many, value, source, origin: Origin::new(member.key.at, table) })
 }
 
 /// What the object's table says for all entries, as an entry of which nothing else is said.
@@ -79,7 +80,13 @@ fn shared(object: &Table, header: Location, sections: &mut Sections<'_>) -> Opti
     let table = Arc::new(with_shared(&Table { at: object.at, members: Vec::new() }, object));
     let mut reader = Reader::new(&table, sections.diagnostics);
     let value = reader.part()?;
-    Some(RawEntries { range: (1, u8::MAX), value, source: None, origin: Origin::new(header, table) })
+    Some(RawEntries {
+        range: (1, u8::MAX),
+        many: false,
+        value,
+        source: None,
+        origin: Origin::new(header, table),
+    })
 }
 
 /// The table of an entry with what the object's table says for all entries. What a description says there is more than

@@ -22,7 +22,7 @@ pub(super) fn several(context: &mut Context<'_>, raw: &RawObject, index: Index) 
     let mut ids = Siblings::default();
     for described in &raw.entries {
         let (first, last) = described.range;
-        if first != last {
+        if described.many {
             report_braces(context, described);
         }
         for subindex in first..=last {
@@ -57,7 +57,7 @@ fn report_braces(context: &mut Context<'_>, raw: &RawEntries) {
 }
 
 fn name(raw: &RawEntries, subindex: u8) -> String {
-    let many = raw.range.0 != raw.range.1;
+    let many = raw.many;
     match &raw.value.name {
         Some(name) if many && name.contains('{') => numbered::of(name, subindex),
         Some(name) if many => format!("{name} {subindex}"),
@@ -77,7 +77,7 @@ fn member(
     let is_count = address.subindex == 0;
     let name = name(raw, address.subindex);
     let data_type = is_count.then_some(DataType::Uint(8));
-    let known = Known { address, name: &name, data_type, many: raw.range.0 != raw.range.1 };
+    let known = Known { address, name: &name, data_type, many: raw.many };
     let mut entry = entry(context, known, &raw.value, &raw.origin)?;
     entry.id = ids.claim(&name);
     if is_count {
@@ -185,7 +185,7 @@ pub(super) fn entry(
         min,
         max,
         values: values.clone().unwrap_or_default(),
-        written: written.clone(),
+        written: *written,
         about: about.clone(),
         note: note.clone(),
         functional: functional.unwrap_or(true),

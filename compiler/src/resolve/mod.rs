@@ -25,21 +25,45 @@ mod values;
 mod words;
 
 use crate::diagnostic::Diagnostics;
-use crate::model::{Family, Shared};
-use crate::raw::RawDevice;
+use crate::model::{Device, Family, Shared};
+use crate::raw::Reading;
+
+/// Devices as they are written, and as they hold.
+#[derive(Debug)]
+pub(crate) struct Resolved {
+    /// As they are written: what rules judge.
+    pub(crate) printed: Family,
+    /// With what errata say instead: what outputs show. None if that is the same.
+    pub(crate) held: Option<Family>,
+}
 
 /// Resolves all members of a family; none of it if one of them cannot be.
-pub(crate) fn resolve(
-    id: &str,
-    mut members: Vec<RawDevice>,
-    diagnostics: &mut Diagnostics,
-) -> Option<Family> {
-    let family = members.first_mut().and_then(|device| device.family.take());
-    let members: Vec<_> = members.into_iter().filter_map(|raw| device::device(raw, diagnostics)).collect();
-    if diagnostics.has_errors() {
+pub(crate) fn resolve(id: &str, members: Vec<Reading>, diagnostics: &mut Diagnostics) -> Option<Resolved> {
+    let mut shared = None;
+    let (mut printed, mut held, mut differs) = (Vec::new(), Vec::new(), false);
+    for Reading { printed: raw, corrected } in members {
+        shared = shared.or_else(|| raw.family.clone());
+        let device = device::device(raw, diagnostics);
+        if diagnostics.has_errors() {
+            continue;
+        }
+        differs |= corrected.is_some();
+        held.push(corrected.map(|raw| device::device(raw, diagnostics)));
+        printed.extend(device);
+    }
+    if diagnostics.has_errors() || printed.is_empty() {
         return None;
     }
-    let alone = members.first()?.name.clone();
-    let (name, about) = family.map_or((alone, None), |Shared { name, about, .. }| (name, about));
-    Some(Family { id: id.to_owned(), name, about, members })
+    let held = differs.then(|| {
+        let members =
+            printed.iter().zip(held).map(|(printed, held)| held.flatten().unwrap_or_else(|| printed.clone()));
+        family(id, shared.as_ref(), members.collect())
+    });
+    Some(Resolved { printed: family(id, shared.as_ref(), printed), held })
+}
+
+fn family(id: &str, shared: Option<&Shared>, members: Vec<Device>) -> Family {
+    let alone = members.first().map(|device| device.name.clone()).unwrap_or_default();
+    let (name, about) = shared.map_or((alone, None), |shared| (shared.name.clone(), shared.about.clone()));
+    Family { id: id.to_owned(), name, about, members }
 }

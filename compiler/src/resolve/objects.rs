@@ -133,7 +133,7 @@ fn coordinate(context: &Context<'_>, key: &str) -> Option<String> {
 
 /// What an object is made of, by how its entries look.
 fn kind(raw: &RawObject) -> Kind {
-    match raw.entries.iter().any(|entries| entries.range.0 != entries.range.1) {
+    match raw.entries.iter().any(|entries| entries.many) {
         _ if raw.entries.is_empty() => Kind::Var,
         true => Kind::Array,
         false => Kind::Record,

@@ -50,7 +50,7 @@ const FROM: &str = "it follows from `[rx-pdos]`, `[tx-pdos]` and `[sync-managers
 /// What holds for subindex 0, too, if it is said of the whole object.
 fn count(entry: &mut Entry, shared: &RawEntry) {
     entry.access = shared.access.unwrap_or(entry.access);
-    entry.written = shared.written.clone().or(entry.written.take());
+    entry.written = shared.written.or(entry.written);
     entry.functional = shared.functional.unwrap_or(entry.functional);
 }
 
@@ -73,8 +73,7 @@ fn describe(context: &mut Context<'_>, object: &mut Object, raw: &RawEntries) {
 /// What is said of one entry; its type and its default stay what they are. A rule compares the default.
 fn own(context: &mut Context<'_>, made: &mut Entry, raw: &RawEntries) {
     let name = raw.value.name.clone().unwrap_or_else(|| made.name.clone());
-    let many = raw.range.0 != raw.range.1;
-    let known = Known { address: made.address, name: &name, data_type: Some(made.data_type), many };
+    let known = Known { address: made.address, name: &name, data_type: Some(made.data_type), many: raw.many };
     let Some(said) = entry(context, known, &raw.value, &raw.origin) else { return };
     if said.data_type != made.data_type {
         let message =
@@ -90,7 +89,7 @@ fn own(context: &mut Context<'_>, made: &mut Entry, raw: &RawEntries) {
         category: raw.value.category.unwrap_or(made.category),
         about: said.about.or(made.about.take()),
         note: said.note.or(made.note.take()),
-        written: said.written.or(made.written.take()),
+        written: said.written.or(made.written),
         source: raw.source.clone(),
         ..said
     };

@@ -72,7 +72,12 @@ fn limits_of_software_switches_are_those_of_the_text() {
     let known = [(("6.3.1.1", "negative"), why), (("6.3.1.7", "negative"), why)];
     departs(slips.map(|row| (row.section, row.switch)), known);
     let remarked = |text: &str| text.contains("limit - I22");
-    assert!(device().remarks.iter().any(|remark| remark.at.to_string() == "vendor-codes.53" && remarked(&remark.text)));
+    assert!(
+        device()
+            .remarks
+            .iter()
+            .any(|remark| remark.at.to_string() == "vendor-codes.53" && remarked(&remark.text))
+    );
 }
 
 #[test]

@@ -189,7 +189,8 @@ fn other_objects_are_assumed_or_in_the_text() {
         for object in device.objects.iter().filter(|object| !printed.contains(&object.index.0)) {
             let index = object.index;
             let key = index.to_string();
-            let assumed = device.assumptions.iter().any(|assumption| assumption.at.to_string().starts_with(&key));
+            let assumed =
+                device.assumptions.iter().any(|assumption| assumption.at.to_string().starts_with(&key));
             let pdo = matches!(index.0, 0x1600..=0x1C00);
             assert!(assumed || pdo || IN_THE_TEXT.contains(&index.0), "{index} is not in the manual");
         }

@@ -117,7 +117,10 @@ fn the_free_mapping_takes_its_steps_in_order() {
 #[test]
 fn the_example_has_the_cycle_time_of_its_chapter() {
     let configuration = configuration(Member::S700, "free-mapping").expect("it is described");
-    assert_eq!(configuration.cycle_time.map(|time| time.0), Some(u64::from(number("cycle-example-ms")) * 1_000_000));
+    assert_eq!(
+        configuration.cycle_time.map(|time| time.0),
+        Some(u64::from(number("cycle-example-ms")) * 1_000_000)
+    );
     let of = |subindex| {
         let mut writes = configuration.startup.iter();
         let found =

@@ -26,8 +26,11 @@ fn cycle_times_are_those_of_each_member() {
             .filter(|row| row.members.contains(&member))
             .map(|row| (row.interface.to_lowercase(), Some(u64::from(row.min_us) * 1000)))
             .collect();
-        let described: BTreeSet<_> =
-            device(member).cycle_times.iter().map(|cycle| (cycle.id.clone(), cycle.min.map(|least| least.0))).collect();
+        let described: BTreeSet<_> = device(member)
+            .cycle_times
+            .iter()
+            .map(|cycle| (cycle.id.clone(), cycle.min.map(|least| least.0)))
+            .collect();
         assert_eq!(described, printed, "{member:?}");
         for setting in fact("cycle-advice").split(", ").map(|setting| setting.replace('=', " = ")) {
             let advises = |about: &String| about.contains(&setting);

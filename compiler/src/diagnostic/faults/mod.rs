@@ -8,6 +8,7 @@ mod duplicate_index;
 mod include_cycle;
 mod invalid_toml;
 mod invalid_value;
+mod misquoted_erratum;
 mod missing_file;
 mod missing_key;
 mod outside_include;
@@ -25,6 +26,7 @@ pub(crate) use duplicate_index::DUPLICATE_INDEX;
 pub(crate) use include_cycle::INCLUDE_CYCLE;
 pub(crate) use invalid_toml::INVALID_TOML;
 pub(crate) use invalid_value::INVALID_VALUE;
+pub(crate) use misquoted_erratum::MISQUOTED_ERRATUM;
 pub(crate) use missing_file::MISSING_FILE;
 pub(crate) use missing_key::MISSING_KEY;
 pub(crate) use outside_include::OUTSIDE_INCLUDE;
@@ -48,6 +50,7 @@ pub static ALL: &[&Rule] = &[
     &INVALID_VALUE,
     &MISSING_FILE,
     &MISSING_KEY,
+    &MISQUOTED_ERRATUM,
     &OUTSIDE_INCLUDE,
     &UNFIT_VALUE,
     &UNKNOWN_KEY,

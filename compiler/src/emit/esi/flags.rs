@@ -1,7 +1,7 @@
 //! `Flags`: who may read, write and map a value.
 
 use super::element::Element;
-use crate::model::{Access, Category, Entry, Kind, Mappable, Object};
+use crate::model::{Access, Category, Entry, Kind, Mappable, Object, WriteWindow};
 
 /// The flags of an entry. A `SubItem` gets them all, since they hide those of its object as a whole.
 pub(super) fn of_entry(entry: &Entry) -> Element {
@@ -45,13 +45,7 @@ fn access(entry: &Entry) -> Element {
         Access::Wo => "wo",
         Access::Rw => "rw",
     };
-    // What is written while the state changes is written in the state before.
-    let state = match entry.written.as_deref() {
-        Some("IP" | "PS") => Some("PreOP"),
-        Some("SO") => Some("SafeOP"),
-        _ => None,
-    };
-    Element::leaf("Access", word).with_some("WriteRestrictions", state)
+    Element::leaf("Access", word).with_some("WriteRestrictions", entry.written.map(WriteWindow::name))
 }
 
 fn word(readable: bool, writable: bool) -> &'static str {

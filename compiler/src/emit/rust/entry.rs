@@ -37,7 +37,7 @@ pub(super) fn title(entry: &Entry) -> String {
 pub(super) fn facts(scope: &Scope<'_>, entry: &Entry, source: Option<&Source>) -> String {
     let mut facts = vec![entry.data_type.to_string(), access(entry.access).to_owned()];
     facts.extend(mappable(entry.pdo).map(str::to_owned));
-    facts.extend(entry.written.as_ref().map(|transition| format!("written at {transition}")));
+    facts.extend(entry.written.map(|window| format!("written in {} only", window.name())));
     facts.extend(range(entry));
     facts.extend(entry.default.as_ref().map(|_| format!("default {}", shown(entry))));
     facts.extend(entry.unit.as_ref().and_then(|id| scope.device.unit(id)).map(unit));

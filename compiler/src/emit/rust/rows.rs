@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::literal::{number, parsed};
 use super::stored::Home;
-use crate::model::{Access, DataType, Entry, Kind, Mappable, Object, Value};
+use crate::model::{Access, DataType, Entry, Kind, Mappable, Object, Value, WriteWindow};
 
 /// An object as the table has it; nothing in it depends on the high byte of its index.
 #[derive(PartialEq)]
@@ -38,17 +38,9 @@ enum Entries {
 struct Attributes {
     data_type: DataType,
     access: Access,
-    /// The state in which it is written, if there is only one.
-    written: Option<State>,
+    /// The states in which it is written, if not in all.
+    written: Option<WriteWindow>,
     pdo: Mappable,
-}
-
-/// A state in which there is a mailbox.
-#[derive(Clone, Copy, PartialEq)]
-enum State {
-    PreOperational,
-    SafeOperational,
-    Operational,
 }
 
 /// The values of an object that never change, as an SDO carries them.
@@ -138,13 +130,7 @@ impl Attributes {
             Access::Const => Access::Ro,
             access => access,
         };
-        let written = match entry.written.as_deref().and_then(|transition| transition.chars().next()) {
-            Some('P') => Some(State::PreOperational),
-            Some('S') => Some(State::SafeOperational),
-            Some('O') => Some(State::Operational),
-            _ => None,
-        };
-        let written = written.filter(|_| access != Access::Ro);
+        let written = entry.written.filter(|_| access != Access::Ro);
         Self { data_type: entry.data_type, access, written, pdo: entry.pdo }
     }
 
@@ -156,10 +142,10 @@ impl Attributes {
 
     /// Rights, with the state in which an entry is written that has only one.
     fn rights(self) -> TokenStream {
-        let write = self.written.map(|state| match state {
-            State::PreOperational => quote!(PRE_OP),
-            State::SafeOperational => quote!(SAFE_OP),
-            State::Operational => quote!(OP),
+        let states = [quote!(PRE_OP), quote!(SAFE_OP), quote!(OP)];
+        let write = self.written.and_then(|window| {
+            let within = states.into_iter().zip(window.states()).filter(|(_, within)| *within);
+            within.map(|(state, _)| state).reduce(|all, state| quote!(#all.and(#state)))
         });
         let rights = match (self.access, write) {
             (Access::Ro | Access::Const, _) => quote!(RO),

@@ -10,12 +10,19 @@ rule! {
     ///
     /// ## Fires
     /// ```toml
+    /// [objects.0x2000]
+    /// name = "Gains"
+    ///
+    /// [objects.0x2000.entries]
+    /// 0 = { default = 2 }
+    /// 1 = { name = "Proportional", type = "UINT16" }
+    /// 2 = { name = "Integral", type = "UINT16" }
+    ///
     /// [[errata]]
     /// rule = "contradicted-count"
     /// at = "0x2000:00"
-    /// says = "3 entries"
-    /// holds = "2 entries"
-    /// why = "two rows follow"
+    /// says = { default = 2 }
+    /// why = "nobody knows how many rows follow"
     /// ```
     ///
     /// ## Silent
@@ -31,8 +38,8 @@ rule! {
     /// [[errata]]
     /// rule = "contradicted-count"
     /// at = "0x2000:00"
-    /// says = "3 entries"
-    /// holds = "2 entries"
+    /// says = { default = 3 }
+    /// holds = { default = 2 }
     /// why = "two rows follow"
     /// ```
     pub(super) static RULE = "idle-erratum", Facts, Error, "an erratum answers nothing";

@@ -82,6 +82,7 @@ lints! {
     unknown_rule,
     unmappable_entry,
     unmapped_mode,
+    unmended_erratum,
     unnumbered_group,
     unplaced_object,
     unprintable_character,

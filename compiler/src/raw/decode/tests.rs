@@ -478,7 +478,8 @@ fn a_string_can_stand_for_a_table() {
         #[serde(default)]
         bits: Option<Fields>,
     }
-    let (pdo, messages) = read::<Pdo>("entries = [\"controlword\", { bits = 8, nam = \"gap\" }]\nbits = { 0 = {} }");
+    let (pdo, messages) =
+        read::<Pdo>("entries = [\"controlword\", { bits = 8, nam = \"gap\" }]\nbits = { 0 = {} }");
     assert!(pdo.is_none());
     assert_snapshot!(messages, @r#"
     error[unknown-key]: unknown key `nam`

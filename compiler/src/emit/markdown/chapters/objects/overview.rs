@@ -76,7 +76,7 @@ impl<'c, 'a> Lines<'c, 'a> {
             context.unit(entry),
             context.range(entry),
             self.marks.category(need),
-            entry.written.as_ref().map_or(String::new(), code),
+            entry.written.map_or(String::new(), |window| code(window.name())),
         ]
     }
 }

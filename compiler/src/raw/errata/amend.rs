@@ -1,0 +1,81 @@
+//! What holds, laid over what is written.
+
+use std::sync::Arc;
+
+use super::Step;
+use crate::source::{Layer, Member, Node, Table, Value};
+
+/// Lays `holds` over what stands at a path, in place of what `says` quotes there; without it, marks what is quoted.
+/// Who said so is `layer`.
+pub(super) fn amend(tree: &mut Table, path: &[Step], says: &Node, holds: Option<&Node>, layer: Layer) {
+    let Some((Step::Key(key), rest)) = path.split_first() else { return };
+    let Some(member) = tree.position(key).and_then(|place| tree.members.get_mut(place)) else { return };
+    if rest.is_empty() {
+        return member_amended(member, says, holds, layer);
+    }
+    match &mut member.node.value {
+        Value::Table(table) => amend(Arc::make_mut(table), rest, says, holds, layer),
+        Value::Array(items) => {
+            let mut list = items.to_vec();
+            if let Some((Step::Item(place), rest)) = rest.split_first()
+                && let Some(item) = list.get_mut(*place)
+            {
+                item_amended(item, rest, says, holds, layer);
+            }
+            *items = list.into();
+            // What stands in a list has no mark of its own.
+            if !rest.iter().any(|step| matches!(step, Step::Key(_))) {
+                member.layer = layer;
+            }
+        }
+        _ => {}
+    }
+}
+
+fn item_amended(item: &mut Node, rest: &[Step], says: &Node, holds: Option<&Node>, layer: Layer) {
+    match (&mut item.value, holds) {
+        (Value::Table(table), _) if !rest.is_empty() => amend(Arc::make_mut(table), rest, says, holds, layer),
+        (Value::Table(table), _) => laid(Arc::make_mut(table), says, holds, layer),
+        (_, Some(holds)) => *item = holds.clone(),
+        (_, None) => {}
+    }
+}
+
+/// A key with what holds for it.
+fn member_amended(member: &mut Member, says: &Node, holds: Option<&Node>, layer: Layer) {
+    match (&mut member.node.value, holds) {
+        (Value::Table(table), _) if says.table().is_some() => laid(Arc::make_mut(table), says, holds, layer),
+        (_, holds) => {
+            if let Some(holds) = holds {
+                member.under = Some(Arc::new(std::mem::replace(&mut member.node, holds.clone())));
+            }
+            member.layer = layer;
+        }
+    }
+}
+
+/// A table with what holds for the keys that are quoted of it: those for which nothing holds are gone.
+fn laid(table: &mut Table, says: &Node, holds: Option<&Node>, layer: Layer) {
+    let none = Table { at: table.at, members: Vec::new() };
+    let says = says.table().map_or(&none, |says| says);
+    let Some(held) = holds.and_then(Node::table) else {
+        for quoted in &says.members {
+            if let Some(place) = table.position(&quoted.key.name)
+                && let Some(member) = table.members.get_mut(place)
+            {
+                member_amended(member, &quoted.node, None, layer);
+            }
+        }
+        return;
+    };
+    table
+        .members
+        .retain(|member| says.get(&member.key.name).is_none() || held.get(&member.key.name).is_some());
+    for new in &held.members {
+        let quoted = says.get(&new.key.name).map_or(&new.node, |quoted| &quoted.node);
+        match table.position(&new.key.name).and_then(|place| table.members.get_mut(place)) {
+            Some(member) => member_amended(member, quoted, Some(&new.node), layer),
+            None => table.members.push(Member { layer, ..new.clone() }),
+        }
+    }
+}
