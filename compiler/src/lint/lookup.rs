@@ -13,19 +13,9 @@ pub(super) fn entries(device: &Device) -> impl Iterator<Item = (&Object, &Entry)
     objects(device).flat_map(|object| object.entries.iter().map(move |entry| (object, entry)))
 }
 
-/// The index that an object has on the first axis.
-pub(super) fn first_index(device: &Device, object: &Object) -> Index {
-    let axis = u16::from(object.axis.unwrap_or(0));
-    let first = |by: u16| Index(object.index.0.wrapping_sub(by.wrapping_mul(axis)));
-    let own = |by: &u16| {
-        device.shifts.iter().any(|shift| shift.by == *by && (shift.first..=shift.last).contains(&first(*by)))
-    };
-    device.shifts.iter().map(|shift| shift.by).find(own).map_or(object.index, first)
-}
-
 /// The objects that have this index on the first axis, one for each axis.
 pub(super) fn on_axes(device: &Device, index: u16) -> impl Iterator<Item = &Object> {
-    objects(device).filter(move |object| first_index(device, object) == Index(index))
+    device.objects_of(Index(index)).filter(|object| !object.derived)
 }
 
 /// The place of an entry: that of the object alone if it has no other entry.

@@ -5,7 +5,7 @@ use super::{Index, model};
 
 model! {
     /// An axis of a device.
-    pub struct Axis {
+    pub struct Axis by number {
         /// Its number, from 0.
         pub number: u8,
         /// Its name.
@@ -15,7 +15,7 @@ model! {
     }
 
     /// A range of indices that exists once for each axis.
-    pub struct Shift {
+    pub struct Shift by first {
         /// The first index of the first axis.
         pub first: Index,
         /// The last index of the first axis.

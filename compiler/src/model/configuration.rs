@@ -5,7 +5,7 @@ use crate::source::Origin;
 
 model! {
     /// What a master chooses before it goes to Safe-Operational.
-    pub struct Configuration {
+    pub struct Configuration by id {
         /// The word for it.
         pub id: String,
         /// What it is good for.

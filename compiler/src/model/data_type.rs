@@ -3,9 +3,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::model;
+use super::plain;
 
-model! {
+plain! {
     /// A basic data type of CiA 301, as ETG.1020 lists them.
     #[derive(Copy, Eq)]
     #[cfg_attr(feature = "json", serde(into = "String"))]

@@ -1,7 +1,9 @@
 //! How sure a statement is.
 
 use super::table::{part, table};
-use super::{Place, Said, model};
+use super::{Compare, Difference, FieldPath, Place, Said, model, plain};
+use std::fmt;
+
 use crate::source::{Location, Origin};
 
 table! {
@@ -64,7 +66,7 @@ part! {
     }
 }
 
-model! {
+plain! {
     /// A place in a document.
     #[derive(Eq)]
     pub struct Source {
@@ -73,7 +75,9 @@ model! {
         /// The place.
         pub place: String,
     }
+}
 
+model! {
     /// Something that no source states.
     pub struct Assumption {
         /// What it is about.
@@ -99,4 +103,26 @@ pub struct Written {
     pub assumed: bool,
     /// Where its key stands.
     pub at: Location,
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.document {
+            Some(document) => write!(f, "{document}: {}", self.place),
+            None => f.write_str(&self.place),
+        }
+    }
+}
+
+/// Every table of a description, as it was written.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Tables(pub Vec<Written>);
+
+/// Where a thing was written is not part of what it is.
+impl Compare for Tables {
+    fn shown(&self) -> String {
+        String::new()
+    }
+
+    fn compare(&self, _: &Self, _: &mut FieldPath, _: &mut dyn FnMut(Difference)) {}
 }

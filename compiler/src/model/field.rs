@@ -10,7 +10,7 @@ use super::{Meanings, model};
 
 model! {
     /// A bit or a group of bits.
-    pub struct Field {
+    pub struct Field by low {
         /// The lowest bit.
         pub low: u8,
         /// The highest bit.

@@ -73,7 +73,7 @@ part! {
 
 model! {
     /// Things to do in order.
-    pub struct Procedure {
+    pub struct Procedure by id {
         /// The word for it.
         pub id: String,
         /// What it achieves.

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::model;
+use super::plain;
 
-model! {
+plain! {
     /// The index of an object.
     #[derive(Copy, Default, Eq, PartialOrd, Ord, Hash)]
     pub struct Index(pub u16);

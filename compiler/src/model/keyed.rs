@@ -86,6 +86,21 @@ macro_rules! list {
                 }
             }
 
+            impl $crate::model::Compare for $name {
+                fn shown(&self) -> String {
+                    self.0.shown()
+                }
+
+                fn compare(
+                    &self,
+                    other: &Self,
+                    path: &mut $crate::model::FieldPath,
+                    found: &mut dyn FnMut($crate::model::Difference),
+                ) {
+                    self.0.compare(&other.0, path, found);
+                }
+            }
+
             impl<'a> IntoIterator for &'a $name {
                 type Item = &'a $item;
                 type IntoIter = std::slice::Iter<'a, $item>;

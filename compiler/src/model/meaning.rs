@@ -10,7 +10,7 @@ use super::shorthand::shorthand;
 
 model! {
     /// What a value means.
-    pub struct Meaning {
+    pub struct Meaning by value {
         /// The value.
         pub value: i64,
         /// The word for it, unique among its siblings.
@@ -22,7 +22,7 @@ model! {
     }
 
     /// What a value, or each value of a range, means.
-    pub struct ValueRange {
+    pub struct ValueRange by first {
         /// The first value.
         pub first: i64,
         /// The last value.

@@ -5,6 +5,7 @@
 //! output is this model, word for word.
 
 mod axis;
+mod compare;
 mod configuration;
 mod control;
 mod data_type;
@@ -26,6 +27,7 @@ mod pdo;
 mod place;
 mod provenance;
 mod register;
+mod repetition;
 mod said;
 #[cfg(feature = "schema")]
 pub(crate) mod schema;
@@ -40,11 +42,12 @@ mod value;
 mod word;
 
 pub use axis::{Area, Axis, Shift};
+pub use compare::{Compare, Difference, FieldPath, differences};
 pub use configuration::{Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
 pub use error::{ErrorCode, VendorCode};
-pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source, Written};
+pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source, Tables, Written};
 pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
@@ -60,6 +63,8 @@ pub use pdo::{Direction, Mapped, Pdo};
 pub use place::Place;
 pub use provenance::{Provenance, facts, provenance};
 pub use register::{AlStatusCode, Register, RegisterAccess, Telegram};
+pub(crate) use repetition::repetitions;
+pub use repetition::{Repeated, Repetition};
 pub use said::Said;
 pub(crate) use section::for_each_section;
 pub use section::{Section, Shape};
@@ -76,8 +81,17 @@ pub use word::Word;
 use crate::source::Origin;
 use table::table;
 
-/// Declares the derives that every part of the model has.
+/// Declares parts of the model. `by id` names what tells a part from its siblings.
 macro_rules! model {
+    ($($(#[$meta:meta])* pub $kind:ident $name:ident $(by $key:ident)? { $($body:tt)* })*) => {
+        $crate::model::plain! { $($(#[$meta])* pub $kind $name { $($body)* })* }
+        $($crate::model::compare::compared! { $kind $name [$($key)?] { $($body)* } })*
+    };
+}
+pub(crate) use model;
+
+/// Declares values of the model, which are compared as a whole.
+macro_rules! plain {
     ($($item:item)*) => {
         $(
             #[derive(Debug, Clone, PartialEq)]
@@ -87,7 +101,7 @@ macro_rules! model {
         )*
     };
 }
-pub(crate) use model;
+pub(crate) use plain;
 
 model! {
     /// Devices that share a description: the members of a family, or one device alone.
@@ -103,7 +117,7 @@ model! {
     }
 
     /// A drive.
-    pub struct Device {
+    pub struct Device by id {
         /// The word for it; the family's id if it is alone.
         pub id: String,
         /// The name people order it by.
@@ -136,6 +150,8 @@ model! {
         pub shifts: Vec<Shift>,
         /// The distance between the PDOs of two axes.
         pub pdo_shift: u16,
+        /// What each axis has: objects and PDOs, by the index on the first axis.
+        pub repetitions: Vec<Repetition>,
         /// How the axes depend on each other.
         pub coupling: Option<String>,
         /// Titles of ranges of the dictionary, by index.
@@ -212,7 +228,7 @@ model! {
         pub errata: Vec<Erratum>,
         /// Every table of the description.
         #[cfg_attr(feature = "json", serde(skip))]
-        pub written: Vec<Written>,
+        pub written: Tables,
         /// Where `[device]` stands.
         #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,

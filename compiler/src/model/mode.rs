@@ -6,7 +6,7 @@ use crate::source::Origin;
 
 model! {
     /// A mode of operation.
-    pub struct Mode {
+    pub struct Mode by code {
         /// Its code in 0x6060.
         pub code: i16,
         /// Other codes that select it.

@@ -6,9 +6,11 @@ use crate::source::Origin;
 
 model! {
     /// An object: an index, and one value or several under it.
-    pub struct Object {
+    pub struct Object by index {
         /// Its index.
         pub index: Index,
+        /// The index of the object that was written for all axes; its own if it is there once.
+        pub leading: Index,
         /// The word by which it is referred to; the same on every axis.
         pub id: String,
         /// Its name.
@@ -39,7 +41,7 @@ model! {
     }
 
     /// A value that an index and a subindex name.
-    pub struct Entry {
+    pub struct Entry by address {
         /// Its address.
         pub address: Address,
         /// The word for it, unique within the object.

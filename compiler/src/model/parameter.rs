@@ -53,7 +53,7 @@ model! {
     }
 
     /// A group of parameters.
-    pub struct Group {
+    pub struct Group by letter {
         /// Its letter.
         pub letter: String,
         /// What its parameters are about.
@@ -68,7 +68,7 @@ model! {
 
     /// Where the manual puts a group on an axis.
     #[derive(Eq)]
-    pub struct AxisGroup {
+    pub struct AxisGroup by axis {
         /// The number of the axis.
         pub axis: u8,
         /// The first index.

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::model;
+use super::plain;
 
-model! {
+plain! {
     /// What the bits of a word must be, lowest first; bits beyond are either.
     #[derive(Eq)]
     #[cfg_attr(feature = "json", serde(into = "String"))]

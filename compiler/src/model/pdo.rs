@@ -5,9 +5,11 @@ use crate::source::{Location, Origin};
 
 model! {
     /// A process data object.
-    pub struct Pdo {
+    pub struct Pdo by index {
         /// Its index.
         pub index: Index,
+        /// The index of the PDO that was written for all axes; its own if it is there once.
+        pub leading: Index,
         /// Who sends it.
         pub direction: Direction,
         /// Its name.

@@ -62,6 +62,11 @@ macro_rules! table {
                 pub origin: $crate::source::Origin,
             }
 
+            $crate::model::compare::compared! { struct $name [$($key)?] {
+                $($fields)*
+                pub source: Option<$crate::model::Source>,
+            } }
+
             impl $crate::model::Table for $name {
                 const KEY: &'static str = concat!("" $(, $expected)?);
 
@@ -101,8 +106,10 @@ pub(crate) use stand;
 
 /// Declares the parts of tables, and the words that they choose from: read as written in descriptions.
 macro_rules! part {
-    ($($(#[$meta:meta])* pub $kind:tt $name:ident $body:tt)*) => {
+    ($($(#[$meta:meta])* pub $kind:ident $name:ident $body:tt)*) => {
         $(
+            $crate::model::compare::compared! { $kind $name [] $body }
+
             $(#[$meta])*
             #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
             #[cfg_attr(feature = "json", derive(serde::Serialize))]

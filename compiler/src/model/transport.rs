@@ -6,7 +6,7 @@ use crate::source::Origin;
 
 model! {
     /// A memory area of the EtherCAT slave controller.
-    pub struct SyncManager {
+    pub struct SyncManager by role {
         /// What it is for; its number follows.
         pub role: Role,
         /// The first byte of the area.

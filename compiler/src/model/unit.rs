@@ -1,12 +1,14 @@
 //! Units and scaling.
 
+use std::fmt;
+
 use super::table::part;
-use super::{Address, Source, model};
+use super::{Address, Source, model, plain};
 use crate::source::Origin;
 
 model! {
     /// What a raw number means.
-    pub struct Unit {
+    pub struct Unit by id {
         /// The word for it.
         pub id: String,
         /// The physical quantity.
@@ -35,6 +37,9 @@ model! {
         pub scale: Option<Scale>,
     }
 
+}
+
+plain! {
     /// Raw steps to one unit, as a fraction in lowest terms.
     #[derive(Copy, Eq)]
     pub struct Scale {
@@ -43,7 +48,6 @@ model! {
         /// The units that they make.
         pub units: u64,
     }
-
 }
 
 part! {
@@ -73,5 +77,11 @@ impl Unit {
     /// What it is on an axis, or for the whole device.
     pub fn on(&self, axis: Option<u8>) -> Option<&AxisUnit> {
         axis.and_then(|axis| self.axes.get(usize::from(axis))).or(self.axes.first())
+    }
+}
+
+impl fmt::Display for Scale {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.raw, self.units)
     }
 }

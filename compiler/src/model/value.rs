@@ -4,9 +4,9 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer};
 
-use super::{DataType, Literal, model};
+use super::{DataType, Literal, plain};
 
-model! {
+plain! {
     /// A value that fits the type it was resolved for.
     #[cfg_attr(feature = "json", serde(untagged))]
     #[cfg_attr(feature = "schema", schemars(inline))]

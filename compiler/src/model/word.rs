@@ -5,7 +5,7 @@ use crate::source::Origin;
 
 model! {
     /// The bits of an object.
-    pub struct Word {
+    pub struct Word by id {
         /// The word for it.
         pub id: String,
         /// Its name.

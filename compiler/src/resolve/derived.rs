@@ -46,6 +46,7 @@ pub(super) fn dictionary(
 fn object(index: Index, id: String, name: String, entries: Vec<Entry>, origin: &Origin) -> Object {
     Object {
         index,
+        leading: index,
         id,
         name,
         kind: Kind::Array,
@@ -99,6 +100,7 @@ fn mapping(pdo: &Pdo, basis: &Basis<'_>) -> Object {
     let mut object = object(pdo.index, id, pdo.name.clone(), entries, &pdo.origin);
     object.kind = Kind::Record;
     object.axis = pdo.axis;
+    object.leading = pdo.leading;
     object.source = pdo.source.clone();
     object
 }

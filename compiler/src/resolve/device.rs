@@ -6,7 +6,7 @@ use super::kept::{self, sorted};
 use super::names::Names;
 use super::{axes, configurations, coordinates, front, modes, objects, pdos, sync_managers, units, words};
 use crate::diagnostic::Diagnostics;
-use crate::model::{Device, Direction, Eeprom, Parameter, Pdo};
+use crate::model::{Device, Direction, Eeprom, Parameter, Pdo, Repeated, Tables, repetitions};
 use crate::raw::RawDevice;
 
 /// Resolves a device; what cannot be resolved is reported and left out. None if it has no name or no identity, which
@@ -40,7 +40,10 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
     let objects = derived::dictionary(context, described, &basis);
     let configurations = configurations::configurations(context, raw.configurations, &objects, &basis);
     let words = words::words(context, raw.words, &objects);
+    let repeated = objects.iter().map(|object| object as &dyn Repeated);
+    let repeated = repeated.chain(pdos.iter().map(|pdo| pdo as &dyn Repeated));
     let device = Device {
+        repetitions: repetitions(repeated, context.axes.len()),
         id: raw.id,
         group: head.group.unwrap_or_else(|| format!("{} drives", head.vendor)),
         type_name: head.type_name.unwrap_or_else(|| head.name.replace(' ', "-")),
@@ -91,7 +94,7 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
         assumptions: raw.assumptions,
         remarks: raw.remarks,
         errata: raw.errata,
-        written: raw.written,
+        written: Tables(raw.written),
         objects,
         documents: raw.documents,
         pdos: by_direction(pdos),

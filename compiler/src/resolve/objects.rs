@@ -110,6 +110,7 @@ fn object(context: &mut Context<'_>, raw: &RawObject, index: Index, axis: Option
     };
     Some(Object {
         index,
+        leading: raw.index,
         id,
         name,
         kind: kind.unwrap_or_else(|| self::kind(raw)),

@@ -6,7 +6,7 @@ use super::context::Context;
 use super::{names, objects};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::{self, Siblings};
-use crate::model::{Address, Direction, Index, Mapped, Object, Pdo};
+use crate::model::{Address, Direction, Index, Mapped, Object, Pdo, Repeated};
 use crate::raw::{RawMapped, RawPdo};
 use crate::source::{Location, Origin};
 
@@ -86,9 +86,9 @@ pub(super) fn copies(context: &Context<'_>, entity: &RawPdo, index: Index) -> Ve
 pub(super) fn named<'p>(pdos: &'p [Pdo], text: &str) -> Vec<&'p Pdo> {
     let index = names::index(text);
     let Some(named) = pdos.iter().find(|pdo| Some(pdo.index) == index) else { return Vec::new() };
-    // The copies of a PDO stand at one place in the description.
-    let copied = |pdo: &&Pdo| named.axis == Some(0) && pdo.origin.header() == named.origin.header();
-    pdos.iter().filter(|pdo| pdo.index == named.index || copied(pdo)).collect()
+    // One that is not the first axis' stands for itself.
+    let meant = |pdo: &&Pdo| pdo.index == named.index || named.is_leading() && pdo.leading == named.index;
+    pdos.iter().filter(meant).collect()
 }
 
 fn report_duplicates(context: &mut Context<'_>, pdos: &[Pdo]) {
@@ -130,6 +130,7 @@ fn pdo(
     let distance = index.0.wrapping_sub(names::index(key).map_or(index.0, |index| index.0));
     Pdo {
         index,
+        leading: names::index(key).unwrap_or(index),
         direction,
         name: name.clone(),
         axis,

@@ -9,7 +9,7 @@ use crate::model::{Address, Device, Index};
 /// The profile with the dictionary.
 pub(super) fn profile(device: &Device) -> Element {
     let shapes: Vec<_> = device.objects.iter().map(|object| (object, Shape::of(object))).collect();
-    let types = Types::of(device, &shapes);
+    let types = Types::of(&shapes);
     let objects = shapes.iter().map(|(object, shape)| objects::object(object, shape, &types));
     let objects = Element::new("Objects").children(objects);
     let dictionary = Element::new("Dictionary").child(types.declarations()).child(objects);

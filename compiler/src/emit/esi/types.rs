@@ -6,7 +6,7 @@ use super::composite::{Member, Shape};
 use super::element::Element;
 use super::enumeration::Enumeration;
 use super::{comment, flags, primitive};
-use crate::model::{Device, Index, Object};
+use crate::model::{Index, Object};
 
 /// The types of a dictionary by name.
 #[derive(Debug, Default)]
@@ -23,13 +23,13 @@ pub(super) struct Types {
 
 impl Types {
     /// The types of all objects.
-    pub(super) fn of(device: &Device, objects: &[(&Object, Shape<'_>)]) -> Self {
+    pub(super) fn of(objects: &[(&Object, Shape<'_>)]) -> Self {
         let mut types = Self::default();
         for member in objects.iter().flat_map(|(_, shape)| shape.members()) {
             types.learn(member);
         }
         for (object, shape) in objects {
-            types.compose(object, shape, first_of_its_kind(device, object));
+            types.compose(object, shape, object.leading);
         }
         types
     }
@@ -136,16 +136,4 @@ fn array_info(elements: usize) -> Element {
 
 fn name(index: Index) -> String {
     format!("DT{:04X}", index.0)
-}
-
-/// The object of the first axis that this one repeats; itself if it repeats none.
-fn first_of_its_kind(device: &Device, object: &Object) -> Index {
-    let Some(axis) = object.axis.filter(|axis| *axis > 0) else { return object.index };
-    let mut firsts = device.shifts.iter().filter_map(|shift| {
-        let distance = shift.by.checked_mul(axis.into())?;
-        let first = Index(object.index.0.checked_sub(distance)?);
-        let repeated = device.object(first).filter(|_| shift.first <= first && first <= shift.last)?;
-        (repeated.id == object.id).then_some(first)
-    });
-    firsts.next().unwrap_or(object.index)
 }

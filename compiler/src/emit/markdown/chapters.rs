@@ -32,6 +32,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
     let Device {
         // Its statements about itself stand where they belong.
         written: _,
+        repetitions: _,
         // The word, the name and the title stand at the front of the document.
         id: _,
         name: _,

@@ -4,8 +4,6 @@ mod axes;
 mod prose;
 mod value;
 
-use axes::OfAxes;
-
 use super::inline::{code, link, small, text};
 use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, Source};
 
@@ -16,23 +14,22 @@ pub(super) struct Context<'a> {
     pub(super) device: &'a Device,
     /// All devices in the same document.
     members: &'a [Context<'a>],
-    of_axes: OfAxes<'a>,
 }
 
 impl<'a> Context<'a> {
     /// A device in a document with others of its family: what it names but lacks may be described for them.
     pub(super) fn new(device: &'a Device, members: &'a [Context<'a>]) -> Self {
-        Self { device, members, of_axes: OfAxes::new(device) }
+        Self { device, members }
     }
 
     /// The anchor of an object; that of the first axis stands for all.
     pub(super) fn object_id(&self, object: &Object) -> String {
-        format!("obj-{:04x}", self.leading_object(object).0)
+        format!("obj-{:04x}", object.leading.0)
     }
 
     /// The anchor of a PDO; that of the first axis stands for all.
     pub(super) fn pdo_id(&self, pdo: &Pdo) -> String {
-        format!("pdo-{:04x}", self.leading_pdo(pdo).0)
+        format!("pdo-{:04x}", pdo.leading.0)
     }
 
     /// The anchor of a word.

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::literal::{distance, hex16};
-use crate::model::{Device, Entry, Index, Mapped, Object, Pdo};
+use crate::model::{Device, Entry, Index, Mapped, Object, Pdo, Repeated};
 
 /// Objects or PDOs that are one thing: of the device, or one of each axis.
 #[derive(Debug)]
@@ -23,23 +23,13 @@ pub(super) struct Placed<'a, T> {
 }
 
 /// Something that each axis can have.
-pub(super) trait OfAxis: Debug {
-    fn index(&self) -> Index;
-    fn axis(&self) -> Option<u8>;
+pub(super) trait OfAxis: Repeated + Debug {
     fn id(&self) -> String;
     /// Whether the other is the same on an axis that far away.
     fn is_like(&self, other: &Self, device: &Device, distance: u16) -> bool;
 }
 
 impl OfAxis for Object {
-    fn index(&self) -> Index {
-        self.index
-    }
-
-    fn axis(&self) -> Option<u8> {
-        self.axis
-    }
-
     fn id(&self) -> String {
         self.id.clone()
     }
@@ -58,14 +48,6 @@ fn is_entry_like(a: &Entry, b: &Entry) -> bool {
 }
 
 impl OfAxis for Pdo {
-    fn index(&self) -> Index {
-        self.index
-    }
-
-    fn axis(&self) -> Option<u8> {
-        self.axis
-    }
-
     fn id(&self) -> String {
         let direction = if self.direction == crate::model::Direction::Rx { "rx" } else { "tx" };
         format!("{direction}-pdo-{:04X}", self.index.0)
@@ -120,19 +102,17 @@ pub(super) fn placed<'a, T: OfAxis>(items: &'a [T], device: &Device) -> Vec<Plac
 
 /// The item on every axis, with the distance.
 fn across<'a, T: OfAxis>(item: &'a T, items: &'a [T], device: &Device) -> Option<(Vec<&'a T>, u16)> {
-    if device.axes.len() < 2 || item.axis() != Some(0) {
-        return None;
-    }
-    let by = shift(device, item.index())?;
-    let of_axis = |number: u8| {
-        let index = shifted(item.index(), by, number.into())?;
-        let place = items.binary_search_by_key(&index, OfAxis::index).ok();
+    let repetition =
+        device.repetition(item.leading()).filter(|_| device.axes.len() > 1 && item.is_leading())?;
+    let of_axis = |(index, number): (&Option<Index>, u16)| {
+        let index = (*index)?;
+        let place = items.binary_search_by_key(&index, Repeated::index).ok();
         let other =
             place.and_then(|place| items.get(place)).or_else(|| items.iter().find(|i| i.index() == index))?;
-        (other.axis() == Some(number) && item.is_like(other, device, number.into())).then_some(other)
+        item.is_like(other, device, number).then_some(other)
     };
-    let all = device.axes.iter().map(|axis| of_axis(axis.number)).collect::<Option<Vec<_>>>()?;
-    Some((all, by))
+    let all = repetition.axes.iter().zip(0..).map(of_axis).collect::<Option<Vec<_>>>()?;
+    Some((all, shift(device, item.index())?))
 }
 
 /// The word for an item of one axis.

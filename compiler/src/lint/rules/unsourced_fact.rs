@@ -28,11 +28,11 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     let mut sourced: BTreeMap<Section, (usize, usize)> = BTreeMap::new();
-    for table in &device.written {
+    for table in &device.written.0 {
         let (with, without) = sourced.entry(table.place.section).or_default();
         *if table.sourced { with } else { without } += 1;
     }
-    for table in device.written.iter().filter(|table| !table.sourced && !table.assumed) {
+    for table in device.written.0.iter().filter(|table| !table.sourced && !table.assumed) {
         let (with, without) = sourced.get(&table.place.section).copied().unwrap_or_default();
         if with > without {
             let at = &table.place;

@@ -125,6 +125,7 @@ fn pdo_view(context: &Context<'_>, pdo: &Pdo) -> PdoView {
 fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
     let Pdo {
         index,
+        leading: _,
         mandatory,
         fixed,
         max_bytes,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::emit::markdown::context::Context;
-use crate::model::{Area, Index, Object, Source};
+use crate::model::{Area, Index, Object, Repeated, Source};
 
 /// An area with what is in it.
 pub(super) struct Contents<'a> {
@@ -57,5 +57,5 @@ fn area_of(named: &[Area], index: Index) -> (u16, &str, Option<&str>) {
 
 /// Whether an object maps the PDO of an axis just as that of the first axis is mapped.
 fn repeats_mapping(context: &Context<'_>, object: &Object) -> bool {
-    context.device.pdo(object.index).is_some_and(|pdo| context.leading_pdo(pdo) != pdo.index)
+    context.device.pdo(object.index).is_some_and(|pdo| !pdo.is_leading())
 }

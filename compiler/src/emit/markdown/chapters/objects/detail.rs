@@ -119,6 +119,7 @@ impl<'a> Facts<'a> {
             category: _,
             entries: _,
             derived: _,
+            leading: _,
             source: _,
             origin: _,
         } = object;
