@@ -3,7 +3,7 @@
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{DataType, Literal, Value};
-use crate::source::Origin;
+use crate::source::{Origin, keys};
 
 /// The value that a literal is in a type, or a report that it does not fit.
 pub(super) fn value(
@@ -20,11 +20,43 @@ pub(super) fn value(
         _ => fit(literal, data_type),
     };
     if value.is_none() {
+        let at = origin.value(path);
         let message = format!("{} does not fit {data_type}", shown(literal));
-        let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, origin.value(path), holds(data_type));
-        context.diagnostics.push(fault.label(origin.value("type"), "the type"));
+        let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, at, holds(data_type));
+        let fault = fault.label(origin.value("type"), "the type");
+        context.diagnostics.push(match meant(literal, data_type) {
+            Some(Meant::Unquoted(number)) => fault.fix("a number has no quotes", at, number),
+            Some(Meant::Signed(number)) => {
+                let text = format!("the bits of {} are {number} as {data_type}", shown(literal));
+                fault.suggest(text, at, number.to_string())
+            }
+            None => fault,
+        });
     }
     value
+}
+
+/// What someone may have meant by a literal that does not fit.
+enum Meant<'t> {
+    /// The number in the text.
+    Unquoted(&'t str),
+    /// The number whose bits were written without a sign.
+    Signed(i128),
+}
+
+fn meant(literal: &Literal, data_type: DataType) -> Option<Meant<'_>> {
+    match (literal, data_type) {
+        (Literal::Text(text), _) => {
+            let number = keys::number(text.trim())?;
+            fit(&Literal::Integer(number.into()), data_type).map(|_| Meant::Unquoted(text.trim()))
+        }
+        (Literal::Integer(value), DataType::Int(bits)) => {
+            let signed = value.checked_sub(1_i128 << bits)?;
+            let (min, _) = data_type.range()?;
+            (min..0).contains(&signed).then_some(Meant::Signed(signed))
+        }
+        _ => None,
+    }
 }
 
 fn fit(literal: &Literal, data_type: DataType) -> Option<Value> {
