@@ -1,7 +1,8 @@
 //! Axes, and how they share the dictionary.
 
 use super::table::table;
-use super::{Index, model};
+use super::{Index, Source, model};
+use crate::source::Origin;
 
 model! {
     /// An axis of a device.
@@ -12,6 +13,21 @@ model! {
         pub name: String,
         /// What it does.
         pub about: Option<String>,
+    }
+
+    /// How the axes share the dictionary, and depend on each other.
+    pub struct Arrangement {
+        /// Which objects exist once for each axis.
+        pub shifts: Vec<Shift>,
+        /// The distance between the PDOs of two axes.
+        pub pdo_shift: u16,
+        /// How the axes depend on each other.
+        pub coupling: Option<String>,
+        /// Where these facts are from.
+        pub source: Option<Source>,
+        /// Where `[axes]` stands.
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
+        pub origin: Origin,
     }
 
     /// A range of indices that exists once for each axis.

@@ -41,7 +41,7 @@ mod unit;
 mod value;
 mod word;
 
-pub use axis::{Area, Axis, Shift};
+pub use axis::{Area, Arrangement, Axis, Shift};
 pub use compare::{Compare, Difference, FieldPath, differences};
 pub use configuration::{Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
@@ -112,8 +112,13 @@ model! {
         pub name: String,
         /// What its members share, and what tells them apart.
         pub about: Option<String>,
+        /// Where these facts are from.
+        pub source: Option<Source>,
         /// The devices, in the order in which they were written; never none.
         pub members: Vec<Device>,
+        /// Where `[family]` stands.
+        #[cfg_attr(feature = "json", serde(rename = "provenance"))]
+        pub origin: Origin,
     }
 
     /// A drive.
@@ -146,14 +151,10 @@ model! {
         pub documents: Vec<Document>,
         /// The axes, in order; one at least.
         pub axes: Vec<Axis>,
-        /// Which objects exist once for each axis.
-        pub shifts: Vec<Shift>,
-        /// The distance between the PDOs of two axes.
-        pub pdo_shift: u16,
+        /// How the axes share the dictionary and depend on each other.
+        pub arrangement: Arrangement,
         /// What each axis has: objects and PDOs, by the index on the first axis.
         pub repetitions: Vec<Repetition>,
-        /// How the axes depend on each other.
-        pub coupling: Option<String>,
         /// Titles of ranges of the dictionary, by index.
         pub areas: Vec<Area>,
         /// The object dictionary, by index.
@@ -229,6 +230,8 @@ model! {
         /// Every table of the description.
         #[cfg_attr(feature = "json", serde(skip))]
         pub written: Tables,
+        /// Where the facts of `[device]` are from.
+        pub source: Option<Source>,
         /// Where `[device]` stands.
         #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,

@@ -143,15 +143,13 @@ part! {
     /// The EtherCAT states in which a value may be written, of those in which there is a mailbox.
     #[derive(Copy, Eq)]
     pub enum WriteWindow {
-        /// Pre-Operational: before the transition `PS`, which can stand for it.
-        #[serde(alias = "PS")]
+        /// Pre-Operational, so before the transition `PS`.
         PreOp,
         /// Pre-Operational and Safe-Operational.
         PreOpSafeOp,
         /// Pre-Operational and Operational.
         PreOpOp,
-        /// Safe-Operational: before the transition `SO`, which can stand for it.
-        #[serde(alias = "SO")]
+        /// Safe-Operational, so before the transition `SO`.
         SafeOp,
         /// Safe-Operational and Operational.
         SafeOpOp,

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::compose::{self, wrong_type};
 use super::read::Sections;
 use super::{RawDevice, errata, like};
-use crate::diagnostic::Diagnostics;
-use crate::source::{Document, Node, Sources, Table};
+use crate::diagnostic::{Diagnostic, Diagnostics, faults};
+use crate::source::{Document, Key, Node, Sources, Table};
 
 /// A device as it is written, and as it holds.
 #[derive(Debug)]
@@ -47,6 +47,7 @@ fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<
     let Some(members) = table_of(&members.node, diagnostics) else { return Vec::new() };
     let trees = members.members.iter().filter_map(|member| {
         let own = table_of(&member.node, diagnostics)?;
+        diagnostics.extend(own.get("lints").map(|lints| shared_only(&lints.key)));
         let like = like::find(&own, &members, diagnostics);
         let lists = [like.as_deref(), Some(&*own)].into_iter().flatten().filter_map(|t| t.get("without"));
         let removed = removed.iter().cloned().chain(lists.map(|list| list.node.clone())).collect();
@@ -64,4 +65,11 @@ fn table_of(node: &Node, diagnostics: &mut Diagnostics) -> Option<Arc<Table>> {
         diagnostics.push(wrong_type(node, "a table"));
     }
     table
+}
+
+/// That a section cannot differ for a member.
+fn shared_only(key: &Key) -> Diagnostic {
+    let message = format!("`{}` is the same for all members", key.name);
+    Diagnostic::new(&faults::UNKNOWN_KEY, message, key.at, "not a key of a member")
+        .help(format!("write `[{}]` at the top of the description", key.name))
 }

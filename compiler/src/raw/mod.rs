@@ -39,6 +39,7 @@ pub use member::{Reading, read};
 pub use mode::RawMode;
 pub use object::{Ignored, RawEntries, RawEntry, RawObject, RawObjectHead, RawTrigger};
 pub use pdo::{RawMapped, RawPdo, RawSyncManager};
+pub(crate) use read_object::SHARED;
 pub use unit::{RawAxisUnit, RawUnit};
 pub use word::RawWord;
 

@@ -8,7 +8,7 @@ use super::{RawEntries, RawEntry, RawFacts, RawObject};
 use crate::source::{Location, Member, Node, Origin, Table, Value, keys};
 
 /// The keys that an object's table can have for all of its entries.
-const SHARED: &[&str] = &[
+pub(crate) const SHARED: &[&str] = &[
     "type",
     "access",
     "pdo",

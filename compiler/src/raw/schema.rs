@@ -54,6 +54,7 @@ fn reference_to(definition: &str) -> Value {
 /// The schema of a member: all sections, and two keys of its own.
 fn member(sections: &Map<String, Value>) -> Value {
     let mut keys = sections.clone();
+    keys.remove("lints");
     keys.insert("like".into(), text("Another member that this one is laid over."));
     keys.insert("without".into(), texts(WITHOUT));
     json!({

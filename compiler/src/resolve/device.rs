@@ -6,8 +6,8 @@ use super::kept::{self, sorted};
 use super::names::Names;
 use super::{axes, configurations, coordinates, front, modes, objects, pdos, sync_managers, units, words};
 use crate::diagnostic::Diagnostics;
-use crate::model::{Device, Direction, Eeprom, Parameter, Pdo, Repeated, Tables, repetitions};
-use crate::raw::RawDevice;
+use crate::model::{Arrangement, Device, Direction, Eeprom, Parameter, Pdo, Repeated, Tables, repetitions};
+use crate::raw::{RawAxes, RawDevice};
 
 /// Resolves a device; what cannot be resolved is reported and left out. None if it has no name or no identity, which
 /// was reported before.
@@ -57,9 +57,7 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
         identity,
         eeprom: raw.eeprom.unwrap_or_else(eeprom),
         axes: context.axes.clone(),
-        shifts: context.shifts.clone(),
-        pdo_shift: context.pdo_shift,
-        coupling: raw.axes.and_then(|axes| axes.coupling),
+        arrangement: arrangement(context, raw.axes),
         areas: sorted(raw.areas, |area| (area.first, area.last)),
         sync_managers,
         mailbox: raw.mailbox,
@@ -98,6 +96,7 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
         objects,
         documents: raw.documents,
         pdos: by_direction(pdos),
+        source: head.source,
         origin: head.origin,
     };
     kept::references(context, &device);
@@ -107,6 +106,14 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
 /// The EEPROM of a description that says nothing of it.
 fn eeprom() -> Eeprom {
     Eeprom { size: Eeprom::USUAL_SIZE, ..Eeprom::default() }
+}
+
+/// How the axes share the dictionary.
+fn arrangement(context: &Context<'_>, raw: Option<RawAxes>) -> Arrangement {
+    // The names stand with the axes, the ranges in the context.
+    let RawAxes { key: _, names: _, about: _, shifts: _, pdo_shift: _, coupling, source, origin } =
+        raw.unwrap_or_default();
+    Arrangement { shifts: context.shifts.clone(), pdo_shift: context.pdo_shift, coupling, source, origin }
 }
 
 fn by_direction(pdos: Vec<Pdo>) -> Vec<Pdo> {

@@ -64,6 +64,7 @@ pub(crate) fn resolve(id: &str, members: Vec<Reading>, diagnostics: &mut Diagnos
 
 fn family(id: &str, shared: Option<&Shared>, members: Vec<Device>) -> Family {
     let alone = members.first().map(|device| device.name.clone()).unwrap_or_default();
-    let (name, about) = shared.map_or((alone, None), |shared| (shared.name.clone(), shared.about.clone()));
-    Family { id: id.to_owned(), name, about, members }
+    let alone = || Shared { name: alone, ..Shared::default() };
+    let Shared { name, about, source, origin } = shared.cloned().unwrap_or_else(alone);
+    Family { id: id.to_owned(), name, about, source, members, origin }
 }

@@ -206,7 +206,7 @@ fn one(
 ) -> Option<Mapped> {
     let padding = Mapped {
         address: None,
-        name: "Padding".to_owned(),
+        name: raw.name.clone().unwrap_or_else(|| "Padding".to_owned()),
         id: "padding".to_owned(),
         offset: 0,
         bits: raw.bits.unwrap_or(0).into(),

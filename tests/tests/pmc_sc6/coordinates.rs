@@ -16,7 +16,12 @@ fn group(letter: &str) -> &'static Group {
 
 /// The distance from axis A to an axis.
 fn shift(axis: devc_tests::manual::AxisLetter) -> u16 {
-    let area = device().shifts.iter().find(|shift| shift.first.0 == 0x2000).expect("parameters are shifted");
+    let area = device()
+        .arrangement
+        .shifts
+        .iter()
+        .find(|shift| shift.first.0 == 0x2000)
+        .expect("parameters are shifted");
     area.by * u16::from(number(axis))
 }
 

@@ -64,7 +64,7 @@ fn areas_and_shifts_are_those_of_the_text() {
         ("manufacturer-area-a", "manufacturer-area-b", "axis-shift-manufacturer"),
     ];
     for (a, b, by) in keys {
-        let shift = device().shifts.iter().find(|it| area(it.first.0, it.last.0) == fact(a));
+        let shift = device().arrangement.shifts.iter().find(|it| area(it.first.0, it.last.0) == fact(a));
         let shift = shift.unwrap_or_else(|| panic!("nothing shifts {}", fact(a)));
         assert_eq!(area(shift.first.0 + shift.by, shift.last.0 + shift.by), fact(b));
         assert_eq!(format!("0x{:X}", shift.by), fact(by));

@@ -48,9 +48,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
         eeprom,
         documents,
         axes,
-        shifts,
-        pdo_shift,
-        coupling,
+        arrangement,
         areas,
         objects,
         pdos,
@@ -87,6 +85,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
         assumptions,
         remarks,
         errata,
+        source,
         origin: _,
     } = context.device;
     let head = Head {
@@ -100,6 +99,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
         identity,
         eeprom,
         limits,
+        source: source.as_ref(),
     };
     let link_layer = (
         &**communication_states,
@@ -110,7 +110,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
     );
     let chapters = [
         prepare::<device::View>(context, head),
-        prepare::<axes::View>(context, (axes, shifts, *pdo_shift, coupling.as_deref())),
+        prepare::<axes::View>(context, (axes, arrangement)),
         prepare::<connections::View>(context, (connectors, leds)),
         prepare::<communication::View>(context, link_layer),
         prepare::<synchronisation::View>(context, (sync_modes, cycle_times, dead_time.as_ref())),

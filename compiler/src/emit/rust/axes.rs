@@ -71,10 +71,10 @@ fn is_mapped_like(a: &Mapped, b: &Mapped, device: &Device, distance: u16) -> boo
 
 /// The distance between the axes at an index of the first axis.
 pub(super) fn shift(device: &Device, index: Index) -> Option<u16> {
-    let of_range = device.shifts.iter().find(|shift| (shift.first..=shift.last).contains(&index));
+    let of_range = device.arrangement.shifts.iter().find(|shift| (shift.first..=shift.last).contains(&index));
     match of_range {
         Some(shift) => Some(shift.by),
-        None => device.pdo(index).filter(|pdo| pdo.axis.is_some()).map(|_| device.pdo_shift),
+        None => device.pdo(index).filter(|pdo| pdo.axis.is_some()).map(|_| device.arrangement.pdo_shift),
     }
 }
 

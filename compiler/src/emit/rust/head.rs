@@ -65,7 +65,7 @@ fn module_doc(device: &Device) -> Doc {
     });
     let doc = Doc::new(format!("{} {}{}.", escape(&device.vendor), escape(&device.name), escape(&title)))
         .maybe(device.about.as_deref())
-        .maybe(device.coupling.as_deref());
+        .maybe(device.arrangement.coupling.as_deref());
     let first = device.documents.first().map(|document| document.number.as_ref().unwrap_or(&document.title));
     match first {
         Some(first) => doc

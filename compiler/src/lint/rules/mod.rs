@@ -62,6 +62,7 @@ lints! {
     overlapping_sync_managers,
     overlong_mode_code,
     overlong_name,
+    overruled_statement,
     oversized_pdo,
     overwide_entry,
     patternless_state,

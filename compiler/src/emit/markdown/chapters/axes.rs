@@ -6,29 +6,32 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::table::Table;
-use crate::model::{Axis, Index, Shift};
+use crate::model::{Arrangement, Axis, Index, Shift};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
     coupling: String,
     axes: Table,
     rules: Vec<String>,
+    source: String,
 }
 
 impl Chapter for View {
-    type Parts<'d> = (&'d [Axis], &'d [Shift], u16, Option<&'d str>);
+    type Parts<'d> = (&'d [Axis], &'d Arrangement);
 
     const ID: &'static str = "axes";
     const TITLE: &'static str = "Axes";
     const TEMPLATE: &'static str = include_str!("../templates/axes.md.j2");
 
-    fn view(context: &Context<'_>, (axes, shifts, pdo_shift, coupling): Self::Parts<'_>) -> Option<Self> {
+    fn view(context: &Context<'_>, (axes, arrangement): Self::Parts<'_>) -> Option<Self> {
+        let Arrangement { shifts, pdo_shift, coupling, source, origin: _ } = arrangement;
         let about = axes.iter().any(|axis| axis.about.is_some());
         let shown = context.has_axes() || coupling.is_some() || about;
         shown.then(|| Self {
-            coupling: context.paragraphs(coupling),
+            coupling: context.paragraphs(coupling.as_deref()),
             axes: table(context, axes, shifts),
-            rules: rules(context, shifts, pdo_shift),
+            rules: rules(context, shifts, *pdo_shift),
+            source: context.source_line(source.as_ref()),
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, link, list, text};
 use crate::emit::markdown::number::bytes;
 use crate::emit::markdown::table::Table;
-use crate::model::{Eeprom, Identity, Limit, Role};
+use crate::model::{Eeprom, Identity, Limit, Role, Source};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -16,6 +16,7 @@ pub(in crate::emit::markdown) struct View {
     identity: Table,
     limits: Table,
     source: String,
+    identity_source: String,
 }
 
 /// What is said of a device before anything else.
@@ -30,6 +31,7 @@ pub(in crate::emit::markdown) struct Head<'d> {
     pub(super) identity: &'d Identity,
     pub(super) eeprom: &'d Eeprom,
     pub(super) limits: &'d [Limit],
+    pub(super) source: Option<&'d Source>,
 }
 
 impl Chapter for View {
@@ -45,7 +47,8 @@ impl Chapter for View {
             facts: facts(context, &head),
             identity: identity(head.identity),
             limits: limits(context, head.limits),
-            source: context.source_line(head.identity.source.as_ref()),
+            source: context.source_line(head.source),
+            identity_source: context.source_line(head.identity.source.as_ref()),
         })
     }
 }

@@ -1,0 +1,109 @@
+//! The tables of a description, each with the schema of its keys.
+
+use std::fmt;
+
+use serde_json::Value as Json;
+use toml::{Table, Value};
+
+/// A table of a description.
+#[derive(Debug, Clone)]
+pub(crate) struct Place {
+    path: Vec<Step>,
+    schema: Json,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Step {
+    Key(String),
+    Item(usize),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let steps = self.path.iter().map(|step| match step {
+            Step::Key(key) => key.clone(),
+            Step::Item(place) => place.to_string(),
+        });
+        f.write_str(&steps.collect::<Vec<_>>().join("."))
+    }
+}
+
+/// Every table that stands in a description, where the schema knows its keys.
+pub(crate) fn places(base: &Table, schema: &Json) -> Vec<Place> {
+    let mut found = Vec::new();
+    let sections = schema["properties"].as_object().expect("sections");
+    for (name, value) in base {
+        let Some(section) = sections.get(name) else { continue };
+        walk(value, section, vec![Step::Key(name.clone())], schema, &mut found);
+    }
+    found
+}
+
+fn walk(value: &Value, holds: &Json, path: Vec<Step>, schema: &Json, found: &mut Vec<Place>) {
+    let further = |step: Step| [path.clone(), vec![step]].concat();
+    match value {
+        Value::Table(table) => {
+            let holds = table_of(holds, schema);
+            if holds.get("properties").is_some() {
+                found.push(Place { path: path.clone(), schema: holds.clone() });
+            }
+            for (key, value) in table {
+                let inner = holds["properties"].get(key).or_else(|| holds.get("additionalProperties"));
+                if let Some(inner) = inner.filter(|inner| inner.is_object()) {
+                    walk(value, inner, further(Step::Key(key.clone())), schema, found);
+                }
+            }
+        }
+        Value::Array(items) => {
+            let inner = resolved(holds, schema)["items"].clone();
+            for (place, item) in items.iter().enumerate() {
+                walk(item, &inner, further(Step::Item(place)), schema, found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The schema behind references.
+pub(crate) fn resolved(holds: &Json, schema: &Json) -> Json {
+    match holds.get("$ref").and_then(Json::as_str) {
+        Some(reference) => {
+            let pointer = reference.trim_start_matches('#');
+            let named = schema.pointer(pointer).unwrap_or_else(|| panic!("{reference} is in the schema"));
+            resolved(named, schema)
+        }
+        None => holds.clone(),
+    }
+}
+
+/// The schema of a table, which a text may stand for.
+fn table_of(holds: &Json, schema: &Json) -> Json {
+    let holds = resolved(holds, schema);
+    let choices = holds.get("anyOf").and_then(Json::as_array).cloned();
+    let mut choices = choices.into_iter().flatten().map(|choice| resolved(&choice, schema));
+    choices.find(|choice| choice.get("properties").is_some()).unwrap_or(holds)
+}
+
+impl Place {
+    /// The keys that the table can have, with what each holds. Tables in it have places of their own.
+    pub(crate) fn keys(&self, schema: &Json) -> Vec<(String, Json)> {
+        let keys = self.schema["properties"].as_object().cloned().unwrap_or_default();
+        let keys = keys.into_iter().map(|(key, holds)| (key, resolved(&holds, schema)));
+        // They lay tables over each other before anything is read, and have tests of their own.
+        keys.filter(|(key, _)| !matches!(key.as_str(), "like" | "without")).collect()
+    }
+
+    /// The description with a key of the table set to something else; none if that is what it says already.
+    pub(crate) fn with(&self, base: &Table, key: &str, value: Value) -> Option<Table> {
+        let mut changed = Value::Table(base.clone());
+        let mut table = &mut changed;
+        for step in &self.path {
+            table = match step {
+                Step::Key(key) => table.get_mut(key)?,
+                Step::Item(place) => table.get_mut(*place)?,
+            };
+        }
+        let old = table.as_table_mut()?.insert(key.to_owned(), value.clone());
+        (old.as_ref() != Some(&value)).then(|| changed.as_table().cloned())?
+    }
+}
