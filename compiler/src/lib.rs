@@ -13,5 +13,6 @@ pub mod raw;
 mod resolve;
 pub mod rules;
 pub mod source;
+pub mod text;
 
 pub use compile::{Compilation, Stage, compile, compile_with};

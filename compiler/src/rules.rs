@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::diagnostic::{Group, Level, Rule, faults};
 use crate::lint;
-use crate::source::near::near;
+use crate::text::near::near;
 
 /// Every rule that a message can be about, by name.
 pub fn all() -> Vec<&'static Rule> {

@@ -11,7 +11,7 @@ mod rule;
 pub(crate) use rule::rule;
 pub use rule::{Group, Level, Rule};
 
-use crate::source::Location;
+use crate::text::Location;
 
 /// One message.
 #[derive(Debug, Clone, PartialEq)]

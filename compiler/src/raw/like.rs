@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::compose::{strip, wrong_type};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
-use crate::source::near::{list, near};
 use crate::source::{Node, Table, Value};
+use crate::text::near::{list, near};
 
 /// Lays each table with the key `like` over the one of its section that it names, but for the `id` of that and what
 /// `without` takes out.

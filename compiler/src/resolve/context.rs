@@ -5,7 +5,7 @@ use std::str::FromStr;
 use super::names::{self, Names};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
 use crate::model::{Address, Axis, Index, Object, Shift};
-use crate::source::near::{list, near};
+use crate::text::near::{list, near};
 use crate::source::{Location, Origin};
 
 /// The state of resolving one device.

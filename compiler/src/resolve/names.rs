@@ -7,7 +7,7 @@ use crate::model::ids;
 use crate::model::{Address, Coordinates, Index};
 use crate::raw::{RawDevice, RawObject};
 use crate::source::keys;
-use crate::source::near::near;
+use crate::text::near::near;
 
 /// All objects that can be referred to, by id and by index, as they are on the first axis.
 #[derive(Default)]

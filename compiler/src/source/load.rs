@@ -6,11 +6,11 @@ use std::sync::Arc;
 use super::include::Reader;
 use super::loader::{shown, similar};
 use super::merge::{merge, with_default_source};
-use super::near::{list, near};
 use super::parse::parse;
 use super::settings::Settings;
 use super::{Layer, Loader, Location, SourceFile, Sources, Table};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
+use crate::text::near::{list, near};
 
 /// The file of a description that is given by its folder.
 pub const MAIN_FILE: &str = "device.toml";

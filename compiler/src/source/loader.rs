@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::{Component, Path, PathBuf};
 
-use super::near::near;
+use crate::text::near::near;
 
 /// The largest file that is read, in bytes: offsets are 32 bits wide, and no description comes near.
 pub const MAX_SIZE: usize = 64 << 20;

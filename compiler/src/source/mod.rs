@@ -1,7 +1,7 @@
-//! The files read, where each thing stands in them, and the tree they were parsed into.
+//! The files read and the tree they were parsed into, in which each thing knows where it stands.
 //!
-//! This is the lowest room of the house: it knows TOML and files, nothing of drives. All input goes
-//! through a [`Loader`]; the rest of the compiler never touches a file system.
+//! It knows TOML and files, nothing of drives. All input goes through a [`Loader`]; the rest of the compiler never
+//! touches a file system.
 
 mod duplicate;
 mod include;
@@ -9,7 +9,6 @@ pub(crate) mod keys;
 mod load;
 mod loader;
 mod merge;
-pub(crate) mod near;
 mod origin;
 pub(crate) mod parse;
 mod settings;
@@ -23,53 +22,4 @@ pub use origin::Origin;
 pub(crate) use origin::parts;
 pub use tree::{CanonicalKey, Key, Layer, Member, Node, Table, Value};
 
-/// A file of one compilation, by its place in [`Sources`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct FileId(pub u32);
-
-/// A range of bytes in a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Location {
-    /// The file.
-    pub file: FileId,
-    /// The first byte.
-    pub start: u32,
-    /// The byte after the last one.
-    pub end: u32,
-}
-
-/// One file as it was read.
-#[derive(Debug, Clone)]
-pub struct SourceFile {
-    /// The path as shown to people: relative where it can be, with `/` between folders.
-    pub path: String,
-    /// The whole text.
-    pub text: String,
-    /// Whether the file is one of devc's own profiles and not on the user's disk.
-    pub embedded: bool,
-}
-
-/// All files of one compilation, in the order in which they were read.
-#[derive(Debug, Clone, Default)]
-pub struct Sources {
-    files: Vec<SourceFile>,
-}
-
-impl Sources {
-    /// Keeps a file and names it.
-    pub fn add(&mut self, file: SourceFile) -> FileId {
-        let id = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
-        self.files.push(file);
-        id
-    }
-
-    /// The file of this name, if it is one of ours.
-    pub fn get(&self, id: FileId) -> Option<&SourceFile> {
-        self.files.get(usize::try_from(id.0).ok()?)
-    }
-
-    /// All files, in the order in which they were read.
-    pub fn iter(&self) -> impl Iterator<Item = (FileId, &SourceFile)> {
-        (0..).map(FileId).zip(&self.files)
-    }
-}
+pub use crate::text::{FileId, Location, SourceFile, Sources};

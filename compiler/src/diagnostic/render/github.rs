@@ -2,7 +2,7 @@
 
 use super::position::Positions;
 use crate::diagnostic::{Diagnostic, Diagnostics, Level};
-use crate::source::Sources;
+use crate::text::Sources;
 
 /// A workflow command for each message.
 pub fn github(diagnostics: &Diagnostics, sources: &Sources) -> String {

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::position::{Position, Positions};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::source::{Location, Sources};
+use crate::text::{Location, Sources};
 
 #[derive(Serialize)]
 struct Output {

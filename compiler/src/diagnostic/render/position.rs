@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::source::{FileId, Location, Sources};
+use crate::text::{FileId, Location, Sources};
 
 /// Where the lines of files start, found once for each file.
 pub(super) struct Positions<'s> {

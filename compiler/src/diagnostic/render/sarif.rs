@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::position::Positions;
 use crate::diagnostic::{Diagnostic, Diagnostics, Level, Rule};
-use crate::source::{Location, Sources};
+use crate::text::{Location, Sources};
 
 const RULES_URI: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/compiler/docs/rules.md");
 

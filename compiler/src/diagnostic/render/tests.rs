@@ -4,7 +4,7 @@ use insta::assert_snapshot;
 
 use super::{Style, text};
 use crate::diagnostic::{Diagnostic, Diagnostics, Edit, Help, Level, faults};
-use crate::source::{FileId, Location, SourceFile, Sources};
+use crate::text::{FileId, Location, SourceFile, Sources};
 
 fn sources(files: &[(&str, &str)]) -> Sources {
     let mut sources = Sources::default();

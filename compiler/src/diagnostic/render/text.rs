@@ -7,7 +7,7 @@ use annotate_snippets::{
 };
 
 use crate::diagnostic::{Diagnostic, Edit, Help, Label, Level};
-use crate::source::{FileId, Location, SourceFile, Sources};
+use crate::text::{FileId, Location, SourceFile, Sources};
 
 /// Columns of the output: longer lines are cut around what is marked.
 const WIDTH: usize = 140;

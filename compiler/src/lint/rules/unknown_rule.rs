@@ -2,7 +2,7 @@ use crate::diagnostic::{Diagnostic, Group, faults, rule};
 use crate::lint::{ALL, Report};
 use crate::model::Device;
 use crate::source::Location;
-use crate::source::near::near;
+use crate::text::near::near;
 
 rule! {
     /// `[lints]` and errata refer to rules and groups by name. A name that no rule has is misspelled, or the

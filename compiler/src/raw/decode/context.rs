@@ -4,8 +4,8 @@ use std::cell::RefCell;
 
 use super::error::Error;
 use crate::diagnostic::{Diagnostic, faults};
-use crate::source::near::{list, near};
 use crate::source::{Key, Location, Table};
+use crate::text::near::{list, near};
 
 /// What the values of one table have found out so far.
 #[derive(Debug, Default)]

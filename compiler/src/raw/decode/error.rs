@@ -6,8 +6,8 @@ use std::sync::Arc;
 use serde::de::{self, Expected, Unexpected};
 
 use crate::diagnostic::{Diagnostic, faults};
-use crate::source::near::{list, near};
 use crate::source::{FileId, Location};
+use crate::text::near::{list, near};
 
 /// The first fault of a table.
 #[derive(Debug)]
