@@ -22,71 +22,30 @@ mod words;
 
 use device::Head;
 
+use super::chapter::{Prepared, prepare};
 use super::context::Context;
-use super::document::{Prepared, prepare};
 use crate::model::Device;
 
 /// The chapters of a device, in the order of the document. Each is given what it is about: a part of the device
 /// that no chapter takes does not go unseen here.
 pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
+    #[rustfmt::skip] // a line for what belongs together
     let Device {
-        // Its statements about itself stand where they belong.
-        written: _,
-        repetitions: _,
-        // The word, the name and the title stand at the front of the document.
-        id: _,
-        name: _,
-        title: _,
-        vendor,
-        about,
-        models,
-        group,
-        type_name,
-        profile,
-        physics,
-        identity,
-        eeprom,
-        documents,
-        axes,
-        arrangement,
-        areas,
-        objects,
-        pdos,
-        sync_managers,
-        mailbox,
-        words,
-        states,
-        commands,
-        transitions,
-        device_control,
-        communication_states,
-        communication_transitions,
-        modes,
-        mode_changes,
-        stop_options,
-        errors,
-        vendor_codes,
-        units,
-        sync_modes,
-        cycle_times,
-        dead_time,
-        leds,
-        connectors,
-        parameters,
-        coordinates,
-        homing_methods,
-        registers,
-        al_status_codes,
-        telegrams,
-        configurations,
-        limits,
-        master_settings,
-        procedures,
-        assumptions,
-        remarks,
-        errata,
-        source,
-        origin: _,
+        // the word, the name and the title stand at the front of the document
+        id: _, name: _, title: _, origin: _,
+        // what it repeats, and who said what, stands where it belongs
+        repetitions: _, written: _,
+        vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source,
+        axes, arrangement, connectors, leds,
+        communication_states, communication_transitions, al_status_codes, sync_managers, mailbox,
+        sync_modes, cycle_times, dead_time,
+        pdos, configurations, words,
+        states, commands, transitions, device_control,
+        modes, mode_changes, homing_methods, stop_options,
+        errors, vendor_codes, units, coordinates,
+        areas, objects, registers, telegrams,
+        master_settings, parameters, procedures,
+        documents, errata, remarks, assumptions,
     } = context.device;
     let head = Head {
         vendor,

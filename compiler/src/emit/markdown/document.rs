@@ -3,8 +3,8 @@
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
 use minijinja::{Environment, UndefinedBehavior, Value, context};
-use serde::Serialize;
 
+use super::chapter::Prepared;
 use super::chapters;
 use super::context::Context;
 use super::family;
@@ -15,57 +15,6 @@ use crate::model::{Device, Family};
 const ALONE: &str = include_str!("templates/document.md.j2");
 const FAMILY: &str = include_str!("templates/family.md.j2");
 const BODY: &str = include_str!("templates/body.md.j2");
-
-/// What a chapter shows.
-pub(super) trait Chapter: Serialize + Sized {
-    /// The parts of a device that it is about.
-    type Parts<'d>;
-
-    /// The word for it in links.
-    const ID: &'static str;
-    /// Its heading.
-    const TITLE: &'static str;
-    /// Its template.
-    const TEMPLATE: &'static str;
-
-    /// What there is to show, if there is anything.
-    fn view(context: &Context<'_>, parts: Self::Parts<'_>) -> Option<Self>;
-
-    /// Its parts that the contents lists.
-    fn sections(&self) -> Vec<Section> {
-        Vec::new()
-    }
-}
-
-/// A line of the contents.
-#[derive(Debug, Clone, Serialize)]
-pub(super) struct Section {
-    /// Its heading.
-    pub(super) title: String,
-    /// Where it is.
-    pub(super) anchor: String,
-}
-
-/// A chapter ready for its template.
-pub(super) struct Prepared {
-    title: &'static str,
-    anchor: &'static str,
-    sections: Vec<Section>,
-    template: &'static str,
-    view: Value,
-}
-
-/// Makes the view of a chapter, if there is anything to show.
-pub(super) fn prepare<C: Chapter>(context: &Context<'_>, parts: C::Parts<'_>) -> Option<Prepared> {
-    let view = C::view(context, parts)?;
-    Some(Prepared {
-        title: C::TITLE,
-        anchor: C::ID,
-        sections: view.sections(),
-        template: C::TEMPLATE,
-        view: Value::from(Serde(view)),
-    })
-}
 
 /// The whole document: a reference, or the references of a family as one.
 pub(super) fn document(family: &Family) -> String {

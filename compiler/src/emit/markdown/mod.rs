@@ -4,6 +4,7 @@
 //! that says in what order and under which headings. A view that is not there takes its line of the contents
 //! with it.
 
+mod chapter;
 mod chapters;
 mod context;
 mod document;

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::default;
 use super::doc::Doc;
 use super::literal;
 use super::names::Names;
@@ -70,7 +71,7 @@ fn default(scope: &Scope<'_>, stored: &Stored<'_>, object: &Object) -> TokenStre
     let name = &stored.name;
     let mut values = stored.on(object).map(|(first, entry)| {
         let value = kept(scope, first);
-        value.wrap(literal::kept(entry, value.primitive))
+        value.wrap(default::kept(entry, value.primitive))
     });
     match &stored.shape {
         Shape::Single => {

@@ -1,8 +1,8 @@
 //! What there is to say about an entry.
 
 use super::axes::Placed;
+use super::default;
 use super::doc::{Doc, escape, place, sentence};
-use super::literal;
 use super::scope::Scope;
 use crate::model::{Access, Entry, Mappable, Object, Scale, Source, Unit};
 
@@ -71,7 +71,7 @@ fn ratio(scale: Option<Scale>) -> String {
 
 /// The default as it is in code, but for the marks between digits.
 fn shown(entry: &Entry) -> String {
-    let code = literal::value(entry).to_string();
+    let code = default::value(entry).to_string();
     match code.strip_prefix("- ") {
         Some(number) => format!("-{number}"),
         None if code.starts_with(|c: char| c.is_ascii_digit()) => code.replace('_', ""),

@@ -6,15 +6,15 @@ use quote::{ToTokens, format_ident, quote};
 use super::axes::shift;
 use super::doc::{Doc, escape, sentence};
 use super::literal::{hex32, number};
+use super::measured;
 use super::scope::Scope;
-use super::units;
 use crate::model::{Device, Index};
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let (docs, runtime, device) = (module_doc(scope.device).inner(), scope.runtime, device(scope));
     let axes = scope.has_axes.then(|| axes(scope));
     let widths = imports(scope, &format_ident!("object"), &scope.widths());
-    let units = imports(scope, &format_ident!("unit"), &Vec::from_iter(units::types(&scope.units)));
+    let units = imports(scope, &format_ident!("unit"), &Vec::from_iter(measured::types(&scope.units)));
     quote! {
         #docs
         #![allow(

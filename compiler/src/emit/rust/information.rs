@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::table::Page;
+use super::page::Page;
 use crate::model::{Kind, Object};
 
 /// The table of names, by the pages of the table of entries. Pages of axes that are alike share their names.

@@ -1,14 +1,14 @@
-//! Units with what they measure on each axis, and which of them an entry is in.
+//! Units with what they measure on each axis.
+
+use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::axes::Placed;
 use super::measure::Means;
-use super::names::{Names, shout, snake};
-use super::scope::Scope;
-use super::types::ValueType;
-use crate::model::{AxisUnit, Device, Entry, Object, Scale, Unit};
+use super::names::{Names, camel, shout, snake};
+use crate::model::{AxisUnit, Device, Object, Scale, Unit};
 
 /// A unit as generated code has it.
 #[derive(Debug)]
@@ -37,6 +37,11 @@ pub(super) fn all(device: &Device, has_axes: bool) -> Vec<Measured<'_>> {
     device.units.iter().filter_map(|unit| Measured::of(unit, device, has_axes, &mut names)).collect()
 }
 
+/// The runtime's types that the units need, each once, by name.
+pub(super) fn types(units: &[Measured<'_>]) -> BTreeSet<Ident> {
+    units.iter().flat_map(Measured::means).flat_map(Means::imports).map(camel).collect()
+}
+
 impl<'a> Measured<'a> {
     fn of(unit: &'a Unit, device: &Device, has_axes: bool, names: &mut Names) -> Option<Self> {
         let mut constants: Vec<Constant<'a>> = Vec::new();
@@ -63,13 +68,13 @@ impl<'a> Measured<'a> {
     }
 
     /// The types of its items.
-    pub(super) fn means(&self) -> impl Iterator<Item = Means> {
+    fn means(&self) -> impl Iterator<Item = Means> {
         let of_axis = self.of_axis.iter().map(|(_, means)| *means);
         self.constants.iter().map(|constant| constant.means).chain(of_axis)
     }
 
     /// What values measure, and the place of their unit: values of one axis, of all axes, or of the device.
-    fn at(&self, placed: &Placed<'_, Object>) -> Option<(Means, TokenStream)> {
+    pub(super) fn at(&self, placed: &Placed<'_, Object>) -> Option<(Means, TokenStream)> {
         let constant = match (self.constants.as_slice(), placed.first.axis) {
             ([only], _) => only,
             (_, Some(axis)) if placed.shift.is_none() => {
@@ -112,20 +117,4 @@ fn wanted(unit: &Unit, device: &Device, constants: &[Constant<'_>]) -> Vec<Ident
 /// A word for a symbol, where a unit has several: `mm/s` is `mm-per-s`.
 fn word(symbol: &str) -> String {
     symbol.replace('µ', "u").replace('°', "deg").replace('²', "2").replace('/', "-per-")
-}
-
-/// What an entry measures, and the place of its unit; none if its value is no number or in another unit on another axis.
-pub(super) fn of_entry(
-    scope: &Scope<'_>,
-    placed: &Placed<'_, Object>,
-    entry: &Entry,
-) -> Option<(TokenStream, TokenStream)> {
-    let id = entry.unit.as_ref()?;
-    let ValueType { primitive, newtype } = scope.types.at(Some(entry.address), entry.data_type);
-    let is_number = primitive.is_number() && newtype.is_none();
-    let of_axes = placed.all.iter().map(|object| object.entry(entry.address.subindex));
-    let is_same = of_axes.flatten().all(|other| other.unit.as_ref() == Some(id));
-    let measured = scope.units.iter().find(|measured| measured.unit.id == *id)?;
-    let (means, place) = measured.at(placed)?;
-    (is_number && is_same).then(|| (means.measurand(), place))
 }

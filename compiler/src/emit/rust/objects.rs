@@ -9,9 +9,9 @@ use super::axes::Placed;
 use super::braces::braces;
 use super::entry;
 use super::literal::{distance, hex16, number};
-use super::measured;
 use super::names::{Names, shout, snake};
 use super::scope::Scope;
+use super::units;
 use crate::model::{Access, Entry, Kind, Mappable, Object};
 
 pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
@@ -58,7 +58,7 @@ fn constant_name(placed: &Placed<'_, Object>, id: &str) -> Ident {
 fn constant(scope: &Scope<'_>, placed: &Placed<'_, Object>, entry: &Entry, name: &Ident) -> TokenStream {
     let doc = entry::doc(scope, placed, entry);
     let (index, subindex) = (hex16(entry.address.index.0), number(entry.address.subindex));
-    let (measurand, unit) = measured::of_entry(scope, placed, entry).unzip();
+    let (measurand, unit) = units::of_entry(scope, placed, entry).unzip();
     let ty = entry_type(scope, entry, measurand);
     let measured = unit.map(|unit| quote!(.measured_in(#unit)));
     match placed.shift.map(distance) {

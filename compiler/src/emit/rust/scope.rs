@@ -9,7 +9,6 @@ use super::axes::{Placed, placed};
 use super::measured::{self, Measured};
 use super::names::{Names, camel, snake};
 use super::types::{Primitive, Types};
-use super::units;
 use crate::model::{Device, Object, Pdo};
 
 /// Names that every module has or that it imports.
@@ -113,7 +112,7 @@ impl<'a> Scope<'a> {
             objects.iter().any(|object| object.shift.is_some()) || pdos.iter().any(|pdo| pdo.shift.is_some());
         let units = measured::all(device, has_axes);
         let mut names = Names::with(RESERVED);
-        for name in units::types(&units) {
+        for name in measured::types(&units) {
             names.claim(&name);
         }
         let wanted = options.device.clone().unwrap_or_else(|| camel(&device.id));

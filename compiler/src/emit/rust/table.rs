@@ -7,17 +7,10 @@ use quote::{format_ident, quote};
 
 use super::information;
 use super::literal::{hex8, number};
+use super::page::{Page, pages};
 use super::rows::{self, Row};
 use super::scope::Scope;
-use super::stored::{Home, Stored, homes};
-use crate::model::{Index, Object};
-
-/// Objects whose indices share the high byte.
-pub(super) struct Page<'a> {
-    pub(super) high: u8,
-    /// The objects, ascending by index, and where the values of each are if it has any that can change.
-    objects: Vec<(&'a Object, Option<&'a Home>)>,
-}
+use super::stored::{Stored, homes};
 
 /// What is on a page, which says nothing of the high byte: pages of axes that are alike have the same.
 #[derive(PartialEq)]
@@ -27,28 +20,6 @@ struct Layout {
     rows: Vec<Row>,
 }
 
-impl<'a> Page<'a> {
-    /// The objects, ascending by index.
-    pub(super) fn objects(&self) -> impl Iterator<Item = &'a Object> {
-        self.objects.iter().map(|(object, _)| *object)
-    }
-
-    /// The axis from which the objects count theirs.
-    fn axis(&self) -> u8 {
-        self.objects.iter().filter_map(|(_, home)| (*home)?.axis).min().unwrap_or(0)
-    }
-
-    fn layout(&self, constants: &mut Constants) -> Layout {
-        let axis = self.axis();
-        let rows = self.objects.iter().map(|(object, home)| {
-            let constants = constants.position(rows::constants(object, *home));
-            Row::new(object, *home, axis, constants)
-        });
-        let lows = self.objects().map(|object| object.index.0.to_be_bytes()[1]).collect();
-        Layout { rows: rows.collect(), lows }
-    }
-}
-
 pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let homes = homes(stored);
     let pages = pages(&scope.device.objects, &homes);
@@ -56,7 +27,7 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let (mut tables, mut rows) = (TokenStream::new(), Vec::new());
     let mut constants = Constants::default();
     for page in &pages {
-        let layout = page.layout(&mut constants);
+        let layout = Layout::of(page, &mut constants);
         let known = shared.iter().find(|(known, _)| *known == layout).map(|(_, name)| name.clone());
         let name = known.unwrap_or_else(|| {
             let name = format_ident!("PAGE_{:02X}", page.high);
@@ -88,6 +59,16 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
 }
 
 impl Layout {
+    fn of(page: &Page<'_>, constants: &mut Constants) -> Self {
+        let axis = page.axis();
+        let rows = page.rows.iter().map(|(object, home)| {
+            let constants = constants.position(rows::constants(object, *home));
+            Row::new(object, *home, axis, constants)
+        });
+        let lows = page.objects().map(|object| object.index.0.to_be_bytes()[1]).collect();
+        Self { rows: rows.collect(), lows }
+    }
+
     /// The constants of a page, first of the positions of its objects, from the first low byte to the last.
     fn tokens(&self, high: u8, name: &Ident) -> TokenStream {
         let (first, last) = (self.lows.first().copied().unwrap_or(0), self.lows.last().copied().unwrap_or(0));
@@ -100,19 +81,6 @@ impl Layout {
             const #name: Page = Page { first: #first, axis: 0, slots: &#slots, objects: &[#(#objects),*] };
         }
     }
-}
-
-fn pages<'a>(objects: &'a [Object], homes: &'a BTreeMap<Index, Home>) -> Vec<Page<'a>> {
-    let mut pages: Vec<Page<'_>> = Vec::new();
-    for object in objects {
-        let [high, _] = object.index.0.to_be_bytes();
-        let row = (object, homes.get(&object.index));
-        match pages.last_mut().filter(|page| page.high == high) {
-            Some(page) => page.objects.push(row),
-            None => pages.push(Page { high, objects: vec![row] }),
-        }
-    }
-    pages
 }
 
 /// What makes a line of each object and entry.

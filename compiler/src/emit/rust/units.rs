@@ -1,17 +1,17 @@
 //! Units as types of what they measure, or as bare scales where they count something of the device's own.
 
-use std::collections::BTreeSet;
-
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::axes::Placed;
 use super::doc::{Doc, escape, sentence};
 use super::literal::grouped;
 use super::measure::Means;
 use super::measured::{Constant, Measured};
 use super::names::camel;
 use super::scope::Scope;
-use crate::model::{AxisUnit, Path, Unit};
+use super::types::ValueType;
+use crate::model::{AxisUnit, Entry, Object, Path, Unit};
 
 pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
     if scope.units.is_empty() {
@@ -27,9 +27,20 @@ pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
     }
 }
 
-/// The runtime's types that the units need, each once, by name.
-pub(super) fn types(units: &[Measured<'_>]) -> BTreeSet<Ident> {
-    units.iter().flat_map(Measured::means).flat_map(Means::imports).map(camel).collect()
+/// What an entry measures, and the place of its unit; none if its value is no number or in another unit on another axis.
+pub(super) fn of_entry(
+    scope: &Scope<'_>,
+    placed: &Placed<'_, Object>,
+    entry: &Entry,
+) -> Option<(TokenStream, TokenStream)> {
+    let id = entry.unit.as_ref()?;
+    let ValueType { primitive, newtype } = scope.types.at(Some(entry.address), entry.data_type);
+    let is_number = primitive.is_number() && newtype.is_none();
+    let of_axes = placed.all.iter().map(|object| object.entry(entry.address.subindex));
+    let is_same = of_axes.flatten().all(|other| other.unit.as_ref() == Some(id));
+    let measured = scope.units.iter().find(|measured| measured.unit.id == *id)?;
+    let (means, place) = measured.at(placed)?;
+    (is_number && is_same).then(|| (means.measurand(), place))
 }
 
 /// A constant for all axes that measure the same: none of them can be taken for an axis that measures something else.

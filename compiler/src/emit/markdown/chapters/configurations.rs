@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::process_data::layout;
+use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{duration, width};
 use crate::emit::markdown::table::Table;

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::words::value;
+use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{anchor, code, link, list, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{ErrorCode, Index, Meaning, VendorCode};

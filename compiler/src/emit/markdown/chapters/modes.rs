@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::states::control;
 use super::words::{statements, table};
+use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::{Context, mode_label};
-use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, link, list, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{DeviceControl, Fields, HomingBits, Mode, ModeChange, MotionCommand};

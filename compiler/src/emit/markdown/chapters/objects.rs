@@ -10,8 +10,8 @@ use serde::Serialize;
 
 use detail::{Detail, ObjectView};
 
+use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{small, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Area, Object, Source};

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, place, width};
 use crate::emit::markdown::table::Table;

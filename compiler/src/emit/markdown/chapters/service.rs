@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{MasterSetting, Parameter, Procedure, Step, Value, ValueRange};

@@ -5,8 +5,8 @@ mod diagram;
 
 use serde::Serialize;
 
+use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Answer, Command, DeviceControl, Event, Pattern, Scope, State, Transition};

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::document::Chapter;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::duration;
 use crate::emit::markdown::table::Table;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::{Context, mode_label};
-use crate::emit::markdown::document::{Chapter, Section};
 use crate::emit::markdown::inline::{code, link, text};
 use crate::emit::markdown::number::width;
 use crate::emit::markdown::table::Table;
