@@ -1,0 +1,111 @@
+//! How the house is built: who looks to whom, and how long files and functions are.
+//!
+//! The order of the modules is read out of `compiler/docs/architecture.md`, so that the document is true.
+
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
+mod code;
+mod modules;
+mod order;
+mod paths;
+mod sizes;
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use code::Code;
+
+/// What is known to be wrong and will be mended: an entry that is right by now has to go.
+const OWED: &[&str] = &[
+    "compiler/src/raw/decode/access.rs: looks in a circle to `view`",
+    "compiler/src/raw/decode/view.rs: looks in a circle to `access`",
+    "compiler/src/raw/object.rs: looks in a circle to `word`",
+    "compiler/src/raw/schema/literal.rs: looks in a circle to `object`",
+    "compiler/src/raw/word.rs: looks in a circle to `schema`",
+    "compiler/src/resolve/device.rs: `device` is too long a function",
+    "compiler/src/resolve/entries.rs: looks in a circle to `objects`",
+    "compiler/src/resolve/objects.rs: looks in a circle to `entries`",
+];
+
+/// Something that is not as it should be.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Fault {
+    file: String,
+    line: usize,
+    what: String,
+}
+
+impl Fault {
+    /// Its name in [`OWED`].
+    fn key(&self) -> String {
+        format!("{}: {}", self.file, self.what)
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.file, self.line, self.what)
+    }
+}
+
+#[test]
+fn modules_look_only_downwards() {
+    let document = fs::read_to_string(root().join("compiler/docs/architecture.md")).expect("the document");
+    let order = order::stated(&document).expect("the document states an order");
+    let compiler = modules::read(&sources("compiler/src"));
+    let mut faults = order::unlisted(&compiler, &order);
+    faults.extend(order::upward(&compiler, &order));
+    faults.extend(order::circles(&compiler));
+    faults.extend(order::circles(&modules::read(&sources("macros/src"))));
+    check(&faults, "looks");
+}
+
+#[test]
+fn files_and_functions_are_short() {
+    let written = ["compiler/src", "macros/src", "runtime/src"];
+    let tests = ["compiler/tests", "macros/tests", "runtime/tests", "tests", "examples"];
+    let written = written.iter().flat_map(|folder| sources(folder));
+    let (tests_inside, code): (Vec<Code>, Vec<Code>) = written.partition(Code::is_test);
+    let tests = tests.iter().flat_map(|folder| sources(folder)).chain(tests_inside);
+    let mut faults: Vec<Fault> = code.iter().flat_map(sizes::too_long).collect();
+    faults.extend(tests.filter_map(|code| sizes::too_long_a_test(&code)));
+    check(&faults, "too long");
+}
+
+/// Says what is wrong beyond what is owed, and what is owed no longer among the entries about this.
+fn check(faults: &[Fault], about: &str) {
+    let keys: Vec<String> = faults.iter().map(Fault::key).collect();
+    let new = faults.iter().filter(|fault| !OWED.contains(&fault.key().as_str()));
+    let new: Vec<String> = new.map(Fault::to_string).collect();
+    assert!(new.is_empty(), "{}", new.join("\n"));
+    let owed = OWED.iter().filter(|owed| owed.contains(about));
+    let mended: Vec<&&str> = owed.filter(|owed| !keys.iter().any(|key| key == **owed)).collect();
+    assert!(mended.is_empty(), "no longer wrong, so no longer owed: {mended:?}");
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").to_owned()
+}
+
+/// The files of Rust in a folder of the workspace, by name.
+fn sources(folder: &str) -> Vec<Code> {
+    let mut files = Vec::new();
+    let mut folders = vec![root().join(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() && !path.ends_with("target") {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    let code = files.iter().map(|path| {
+        let text = fs::read_to_string(path).expect("text");
+        Code::new(path.strip_prefix(root()).expect("in the workspace"), &text)
+    });
+    code.collect()
+}
