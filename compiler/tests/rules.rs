@@ -2,9 +2,12 @@
 
 #![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
 
+use std::fs;
 use std::path::Path;
 
-use devc::diagnostic::{Rule, faults};
+use devc::Compilation;
+use devc::diagnostic::render::{Style, text};
+use devc::diagnostic::{Group, Rule, faults};
 use devc::lint;
 use devc::source::Memory;
 
@@ -45,16 +48,26 @@ fn files(example: &str) -> Vec<(String, String)> {
     files
 }
 
-/// The rules that fire on an example.
-fn fired(example: &str) -> Vec<&'static str> {
+/// What devc says of an example.
+fn compiled(example: &str) -> Compilation {
     let memory = files(example).into_iter().fold(Memory::default(), |memory, (name, text)| {
         memory.with(Path::new("example").join(name), text.into_bytes())
     });
-    let compilation = devc::compile(&memory, Path::new("example"));
-    let mut names: Vec<&str> =
-        compilation.diagnostics.iter().map(|diagnostic| diagnostic.rule.name).collect();
+    devc::compile(&memory, Path::new("example"))
+}
+
+/// The rules that fire on an example.
+fn fired(example: &str) -> Vec<&'static str> {
+    let diagnostics = compiled(example).diagnostics;
+    let mut names: Vec<&str> = diagnostics.iter().map(|diagnostic| diagnostic.rule.name).collect();
     names.dedup();
     names
+}
+
+/// The messages about an example as people read them.
+fn messages(example: &str) -> Vec<String> {
+    let Compilation { diagnostics, sources, .. } = compiled(example);
+    diagnostics.iter().map(|diagnostic| text(diagnostic, &sources, Style::Plain)).collect()
 }
 
 #[test]
@@ -74,6 +87,39 @@ fn examples_hold() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What every rule says of its first example, to be read as a user would: a file a group.
+#[test]
+fn messages_are_as_reviewed() {
+    for group in Group::ALL {
+        let mut members: Vec<&Rule> = rules().filter(|rule| rule.group == group).collect();
+        members.sort_unstable_by_key(|rule| rule.name);
+        let messages = members.iter().filter_map(|rule| example(rule.docs, "Fires")).flat_map(messages);
+        let settings = {
+            let mut settings = insta::Settings::clone_current();
+            settings.set_omit_expression(true);
+            settings
+        };
+        let text = messages.collect::<Vec<_>>().join("\n\n");
+        settings.bind(|| insta::assert_snapshot!(group.name(), text));
+    }
+}
+
+#[test]
+fn every_file_is_a_rule_of_its_name() {
+    for (folder, rules) in [
+        ("diagnostic/faults", faults::ALL.to_vec()),
+        ("lint/rules", lint::ALL.iter().map(|lint| lint.rule).collect()),
+    ] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(folder);
+        let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("a file").path());
+        let files = files.filter_map(|path| Some(path.file_stem()?.to_str()?.replace('_', "-")));
+        let mut files: Vec<String> = files.filter(|name| name != "mod").collect();
+        files.sort();
+        let names: Vec<&str> = rules.iter().map(|rule| rule.name).collect();
+        assert_eq!(files, names, "one file each, and a line in the list");
+    }
 }
 
 #[test]

@@ -32,7 +32,9 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for (pdo, at, mapped) in lookup::mapped(device) {
-        let Some(address) = mapped.address.filter(|address| device.entry(*address).is_none()) else { continue };
+        let Some(address) = mapped.address.filter(|address| device.entry(*address).is_none()) else {
+            continue;
+        };
         let message = format!("{} maps {address}, which is not in the dictionary", pdo.index);
         let label = match device.object(address.index) {
             Some(object) => format!("{} ends at subindex {}", object.index, object.highest_subindex()),

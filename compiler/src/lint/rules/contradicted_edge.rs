@@ -40,7 +40,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let Some(sent) = &command.pattern else { continue };
         let own = |number: &u8| command.transitions.contains(number);
         for transition in device.transitions.iter().filter(|transition| own(&transition.number)) {
-            let Some(asked) = transition.pattern.as_ref().filter(|asked| !asked.overlaps(sent)) else { continue };
+            let Some(asked) = transition.pattern.as_ref().filter(|asked| !asked.overlaps(sent)) else {
+                continue;
+            };
             let number = transition.number;
             let bit = (sent.mask() & asked.mask() & (sent.value() ^ asked.value())).trailing_zeros();
             let message = format!("`{}` cannot set transition {number} off: bit {bit} is not as asked", command.id);

@@ -39,7 +39,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
 
 fn compare(object: &Object, entry: &Entry, key: &str, report: &mut Report) {
     let Some(Value::String(text)) = entry.origin.node(key).map(|node| &node.value) else { return };
-    let Some((first, second)) = Literal::twice(text).filter(|(first, second)| first != second) else { return };
+    let Some((first, second)) = Literal::twice(text).filter(|(first, second)| first != second) else {
+        return;
+    };
     let name = lookup::name(object, entry);
     let message = format!("the {} of {name} is {first} in one notation and {second} in the other", word(key));
     let label = format!("0x{first:X} is {first}, 0x{second:X} is {second}");

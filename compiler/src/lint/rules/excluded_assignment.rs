@@ -54,7 +54,9 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for manager in &device.sync_managers {
         for pdo in manager.pdos.iter().filter_map(|index| device.pdo(*index)) {
-            let Some(other) = pdo.excludes.iter().find(|other| manager.pdos.contains(other)) else { continue };
+            let Some(other) = pdo.excludes.iter().find(|other| manager.pdos.contains(other)) else {
+                continue;
+            };
             let message = format!("{} and {other} are assigned together, but exclude each other", pdo.index);
             let diagnostic = Diagnostic::new(&RULE, message, manager.origin.value("pdos"), "assigned together")
                 .label(pdo.origin.value("excludes"), format!("{} excludes {other}", pdo.index));

@@ -33,8 +33,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let (first, second) = (before.role.key(), after.role.key());
-        let message =
-            format!("`{second}` at 0x{:04X} lies before `{first}` at 0x{:04X}", after.address, before.address);
+        let message = format!(
+            "`{second}` at 0x{:04X} lies before `{first}` at 0x{:04X}",
+            after.address, before.address
+        );
         let diagnostic = Diagnostic::new(&RULE, message, after.origin.value("address"), "before the other")
             .label(before.origin.value("address"), "behind the other");
         report.push(Section::SyncManagers.at(second), diagnostic);

@@ -1,11 +1,95 @@
-//! The list of rules: one line and one file each.
+//! The rules: one file each, which stands here as a module and in the list.
+//!
+//! The modules are declared one by one, not by the macro, so that tools which read the code find them.
+
+mod absent_mapped_entry;
+mod ambiguous_name;
+mod ambiguous_pdo_name;
+mod ambiguous_scaling;
+mod ambiguous_value_name;
+mod ambiguous_vendor_code;
+mod clashing_identifier;
+mod commanded_automatic_transition;
+mod contradicted_count;
+mod contradicted_default;
+mod contradicted_edge;
+mod contradicted_group;
+mod contradicted_identity;
+mod contradicted_modes;
+mod contradicted_notation;
+mod contradicted_profile;
+mod contradicted_total;
+mod contradicted_width;
+mod deviating_access;
+mod deviating_kind;
+mod deviating_mapping;
+mod deviating_pattern;
+mod deviating_type;
+mod differing_axis;
+mod empty_reason;
+mod excluded_assignment;
+mod foreign_state;
+mod hidden_command;
+pub(super) mod idle_erratum;
+mod idle_mapped_entry;
+mod idle_unit;
+mod indistinct_members;
+mod inverted_limits;
+mod manufacturer_bit;
+mod meaningful_reserved_bit;
+mod misaligned_entry;
+mod misclassified_error;
+mod misdirected_entry;
+mod misordered_sync_managers;
+mod missing_group;
+mod missing_object;
+mod mixed_vendors;
+mod odd_count_type;
+mod one_sided_exclusion;
+mod overlapping_bits;
+mod overlapping_groups;
+mod overlapping_states;
+mod overlapping_sync_managers;
+mod overlong_mode_code;
+mod overlong_name;
+mod oversized_pdo;
+mod overwide_entry;
+mod patternless_state;
+mod placeholder_identity;
+mod renamed_entry;
+mod repeated_alias;
+mod repeated_error;
+mod repeated_mapping;
+mod reserved_index;
+mod several_edges;
+mod stray_profile_object;
+mod subindex_gap;
+mod undefined_default;
+mod undersized_sync_manager;
+mod understated_axes;
+mod unexpected_mode_bit;
+mod unknown_homing_method;
+pub(super) mod unknown_rule;
+mod unmappable_entry;
+mod unmapped_mode;
+mod unnumbered_group;
+mod unplaced_object;
+mod unprintable_character;
+mod unreachable_default;
+mod unreachable_transition;
+mod unrepresentable_value;
+mod unscaled_axis;
+mod unsized_string;
+mod unsourced_fact;
+mod unsupported_configuration_mode;
+mod unsupported_pdo_mode;
+mod unsupported_transition;
+mod withheld_bit;
 
 use super::Lint;
 
 macro_rules! lints {
     ($($name:ident,)*) => {
-        $(pub(super) mod $name;)*
-
         /// Every rule, by name.
         pub static ALL: &[Lint] = &[$(Lint { rule: &$name::RULE, check: $name::check }),*];
     };

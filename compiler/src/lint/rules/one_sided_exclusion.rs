@@ -40,9 +40,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
                 continue;
             }
             let message = format!("{} excludes {}, but not the other way round", pdo.index, other.index);
-            let diagnostic = Diagnostic::new(&RULE, message, other.origin.value("excludes"), "says nothing of it")
-                .label(pdo.origin.value("excludes"), format!("excludes {}", other.index))
-                .help(format!("add \"{}\" to `excludes` of {}", pdo.index, other.index));
+            let diagnostic =
+                Diagnostic::new(&RULE, message, other.origin.value("excludes"), "says nothing of it")
+                    .label(pdo.origin.value("excludes"), format!("excludes {}", other.index))
+                    .help(format!("add \"{}\" to `excludes` of {}", pdo.index, other.index));
             report.push(other.index, diagnostic);
         }
     }

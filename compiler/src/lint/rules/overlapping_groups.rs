@@ -33,7 +33,9 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     let Some(coordinates) = &device.coordinates else { return };
     for (i, second) in coordinates.groups.iter().enumerate() {
-        let Some(first) = coordinates.groups.iter().take(i).find(|first| share(first, second)) else { continue };
+        let Some(first) = coordinates.groups.iter().take(i).find(|first| share(first, second)) else {
+            continue;
+        };
         let message = format!("groups {} and {} share indices", first.letter, second.letter);
         let place = |group: &Group| coordinates.origin.value(&format!("groups.{}", group.letter));
         let diagnostic =

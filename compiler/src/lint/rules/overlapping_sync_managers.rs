@@ -33,7 +33,11 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             if bytes(low) == 0 || bytes(high) == 0 || end <= begin {
                 continue;
             }
-            let message = format!("`{}` ends at 0x{end:04X}, but `{}` begins at 0x{begin:04X}", low.role.key(), high.role.key());
+            let message = format!(
+                "`{}` ends at 0x{end:04X}, but `{}` begins at 0x{begin:04X}",
+                low.role.key(),
+                high.role.key()
+            );
             let diagnostic = Diagnostic::new(&RULE, message, high.origin.value("address"), "begins here")
                 .label(low.origin.value("address"), extent(low));
             report.push(Section::SyncManagers.at(high.role.key()), diagnostic);

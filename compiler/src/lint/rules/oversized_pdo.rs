@@ -45,8 +45,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
 fn judge(pdo: &Pdo, key: &str, has: u32, max: Option<u32>, what: &str, report: &mut Report) {
     if let Some(max) = max.filter(|max| has > *max) {
         let message = format!("{} has {has} {what}, but the device takes {max}", pdo.index);
-        let diagnostic = Diagnostic::new(&RULE, message, pdo.origin.value("entries"), format!("{has} {what}"))
-            .label(pdo.origin.value(key), "the limit");
+        let diagnostic =
+            Diagnostic::new(&RULE, message, pdo.origin.value("entries"), format!("{has} {what}"))
+                .label(pdo.origin.value(key), "the limit");
         report.push(pdo.index, diagnostic);
     }
 }

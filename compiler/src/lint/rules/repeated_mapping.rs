@@ -50,7 +50,8 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for manager in &device.sync_managers {
         let mut first = BTreeMap::new();
-        for (pdo, at, mapped) in lookup::mapped(device).filter(|(pdo, ..)| manager.pdos.contains(&pdo.index)) {
+        for (pdo, at, mapped) in lookup::mapped(device).filter(|(pdo, ..)| manager.pdos.contains(&pdo.index))
+        {
             let Some(address) = mapped.address else { continue };
             let Some((other, place)) = first.get(&address) else {
                 first.insert(address, (pdo.index, mapped.at));

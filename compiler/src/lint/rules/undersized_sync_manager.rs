@@ -51,7 +51,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             role => device.image_bytes(role),
         };
         let limits = [("size", Some(manager.size)), ("max-size", manager.max_size)];
-        let short = limits.into_iter().find_map(|(key, bytes)| Some((key, bytes.filter(|b| u32::from(*b) < needs)?)));
+        let short =
+            limits.into_iter().find_map(|(key, bytes)| Some((key, bytes.filter(|b| u32::from(*b) < needs)?)));
         let Some((limit, bytes)) = short else { continue };
         let message = format!("`{key}` has {bytes} bytes, but needs {needs}");
         let at = manager.origin.value(limit);

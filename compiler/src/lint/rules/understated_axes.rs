@@ -44,7 +44,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let message = format!("0x1000 describes a single drive of kind 0x{kind:04X}, but there are {axes} axes");
     let at = entry.origin.value("default");
     let diagnostic = Diagnostic::new(&RULE, message, at, "the upper half is not 0xFFFF")
-        .note("CiA 301 has 0xFFFF there for a device with several; each axis has its own in 0x67FF + n × 0x800")
+        .note(
+            "CiA 301 has 0xFFFF there for a device with several; each axis has its own in 0x67FF + n × 0x800",
+        )
         .suggest("say that there are several", at, format!("0xFFFF{profile:04X}"));
     report.push(entry.address.index, diagnostic);
 }

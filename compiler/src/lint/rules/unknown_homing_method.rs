@@ -38,12 +38,16 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         return;
     }
     let known = |number: i128| {
-        let mut numbers = device.homing_methods.iter().flat_map(|method| [method.number].into_iter().chain(method.aliases.clone()));
+        let mut numbers = device
+            .homing_methods
+            .iter()
+            .flat_map(|method| [method.number].into_iter().chain(method.aliases.clone()));
         numbers.any(|other| i128::from(other) == number)
     };
     for object in lookup::on_axes(device, 0x6098) {
         let Some(entry) = object.entry(0) else { continue };
-        let number = entry.default.as_ref().and_then(|default| default.integer()).filter(|number| *number != 0);
+        let number =
+            entry.default.as_ref().and_then(|default| default.integer()).filter(|number| *number != 0);
         let Some(number) = number.filter(|number| !known(*number)) else { continue };
         let message = format!("{} is {number} by default, which is no homing method", object.index);
         let methods = lookup::list(device.homing_methods.iter().map(|method| method.number));

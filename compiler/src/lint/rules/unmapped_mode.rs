@@ -56,11 +56,14 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         return;
     }
     for mode in device.modes.iter().filter(|mode| mode.cyclic) {
-        let Some((code, index, name)) = SET_VALUES.iter().find(|(code, ..)| *code == mode.code) else { continue };
+        let Some((code, index, name)) = SET_VALUES.iter().find(|(code, ..)| *code == mode.code) else {
+            continue;
+        };
         if device.pdos_of(Direction::Rx).any(|pdo| carries(pdo, mode, *index)) {
             continue;
         }
-        let message = format!("no receive PDO carries {index}, the {name} that mode {code} needs in each cycle");
+        let message =
+            format!("no receive PDO carries {index}, the {name} that mode {code} needs in each cycle");
         let diagnostic = Diagnostic::new(&RULE, message, mode.origin.header(), "cannot be used without it");
         report.push(Section::Modes.at(code), diagnostic.help("map it, or leave the mode out"));
     }

@@ -45,7 +45,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
 
 /// The nearest area in the same part of the dictionary; a part without areas is not divided.
 fn nearest(device: &Device, index: Index) -> Option<&Area> {
-    let areas = device.areas.iter().filter(|area| part(area.first) <= part(index) && part(index) <= part(area.last));
+    let areas =
+        device.areas.iter().filter(|area| part(area.first) <= part(index) && part(index) <= part(area.last));
     areas.min_by_key(|area| {
         if holds(area, index) { 0 } else { area.first.0.abs_diff(index.0).min(area.last.0.abs_diff(index.0)) }
     })

@@ -41,7 +41,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         for field in &word.fields {
             let high = 1_i128.checked_shl(field.width().into()).unwrap_or(i128::MAX);
             let outside = |value: &i64| !(0..high).contains(&i128::from(*value));
-            let Some(value) = field.values.iter().map(|meaning| meaning.value).find(outside) else { continue };
+            let Some(value) = field.values.iter().map(|meaning| meaning.value).find(outside) else {
+                continue;
+            };
             let width = field.width();
             let bits = if width == 1 { "one bit".to_owned() } else { format!("{width} bits") };
             let message = format!("`{}` is never {value}: it has {bits}", field.name);

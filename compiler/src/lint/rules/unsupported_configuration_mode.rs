@@ -48,8 +48,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let known = |code: i16| device.modes.iter().any(|mode| mode.code == code || mode.aliases.contains(&code));
     for configuration in &device.configurations {
         let Some(code) = configuration.mode.filter(|code| !known(*code)) else { continue };
-        let message =
-            format!("`{}` sets mode {code}, which the device does not have", configuration.name);
+        let message = format!("`{}` sets mode {code}, which the device does not have", configuration.name);
         let modes = lookup::list(device.modes.iter().map(|mode| mode.code));
         let diagnostic = Diagnostic::new(&RULE, message, configuration.origin.value("mode"), "no such mode")
             .note(format!("the modes are {modes}"));

@@ -75,7 +75,8 @@ fn judge(device: &Device, command: &Command, lost: &[u8]) -> Diagnostic {
 
 /// Where the first of some transitions stands in a command's list.
 fn first(command: &Command, lost: &[u8]) -> crate::source::Location {
-    let is_lost = |value: &Value| matches!(value, Value::Integer(n) if lost.iter().any(|l| i128::from(*l) == *n));
+    let is_lost =
+        |value: &Value| matches!(value, Value::Integer(n) if lost.iter().any(|l| i128::from(*l) == *n));
     let items = match command.origin.node("transitions").map(|node| &node.value) {
         Some(Value::Array(items)) => &items[..],
         _ => &[],
