@@ -50,6 +50,15 @@ pub(super) fn list<T: ToString>(items: impl IntoIterator<Item = T>) -> String {
     items.into_iter().map(|item| item.to_string()).collect::<Vec<_>>().join(", ")
 }
 
+/// A sentence that names all there are: `the only mode is 8`, `the modes are 6, 8`.
+pub(super) fn all<T: ToString>(noun: &str, items: impl IntoIterator<Item = T>) -> String {
+    let items: Vec<T> = items.into_iter().collect();
+    match items.as_slice() {
+        [only] => format!("the only {noun} is {}", only.to_string()),
+        _ => format!("the {noun}s are {}", list(items)),
+    }
+}
+
 /// What a mapping refers to, if the dictionary has it.
 pub(super) fn target<'d>(device: &'d Device, mapped: &Mapped) -> Option<(&'d Object, &'d Entry)> {
     let address = mapped.address?;

@@ -123,9 +123,10 @@ fn read_profile(profile: &Profile, sources: &mut Sources, diagnostics: &mut Diag
 fn unknown_profile(name: &str, at: Location, profiles: &[Profile]) -> Diagnostic {
     let names: Vec<&str> = profiles.iter().map(|profile| profile.name).collect();
     let message = format!("there is no profile `{name}`");
-    let diagnostic = Diagnostic::new(&faults::UNKNOWN_PROFILE, message, at, "no such profile");
+    let label = format!("devc has {}", list(&names));
+    let diagnostic = Diagnostic::new(&faults::UNKNOWN_PROFILE, message, at, label);
     match near(name, names.iter().copied()) {
         Some(other) => diagnostic.fix(format!("did you mean `{other}`?"), at, format!("\"{other}\"")),
-        None => diagnostic.note(format!("the profiles are {}", list(&names))),
+        None => diagnostic,
     }
 }

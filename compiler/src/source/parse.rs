@@ -109,6 +109,9 @@ impl Parser<'_> {
             Some(("string values must be quoted", _)) if span.is_empty() => {
                 ("a value is missing", String::new())
             }
+            Some((what, quote)) if what.ends_with(" string") && quote.contains(['"', '\'']) => {
+                ("a string does not end", format!("expected {quote}"))
+            }
             Some((what, expected)) => (what, format!("expected {expected}")),
             None => (error.message(), String::new()),
         };

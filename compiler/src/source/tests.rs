@@ -99,7 +99,7 @@ fn every_syntax_error_of_every_file_is_reported() {
         .with("drive/device.toml", "include = [\"objects.toml\"]\n[device]\nname = \"X\nsize =\n")
         .with("drive/objects.toml", "[objects.0x2000]\nname = \"Speed\"\n[objects.0x2001]\nmax = 0x");
     assert_snapshot!(messages(&loader), @r#"
-    error[invalid-toml]: this is not TOML: invalid basic string
+    error[invalid-toml]: this is not TOML: a string does not end
      --> drive/device.toml:3:10
       |
     3 | name = "X
@@ -404,7 +404,7 @@ fn an_unknown_profile() {
      --> drive/device.toml:1:13
       |
     1 | profiles = ["cia-402", "drive"]
-      |             ^^^^^^^^^ no such profile
+      |             ^^^^^^^^^ devc has `ethercat` and `cia402`
       |
     help: did you mean `cia402`?
       |
@@ -416,9 +416,7 @@ fn an_unknown_profile() {
      --> drive/device.toml:1:24
       |
     1 | profiles = ["cia-402", "drive"]
-      |                        ^^^^^^^ no such profile
-      |
-      = note: the profiles are `ethercat` and `cia402`
+      |                        ^^^^^^^ devc has `ethercat` and `cia402`
     "#);
 }
 

@@ -42,7 +42,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         };
         let message = format!("{} and {} are both called `{}`", other.index, object.index, object.name);
         let diagnostic = Diagnostic::new(&RULE, message, object.origin.value("name"), "the same name")
-            .label(other.origin.value("name"), format!("{} has it, too", other.index));
+            .label(other.origin.value("name"), format!("{} has it, too", other.index))
+            .help("add a word to one of them that tells them apart");
         report.push(object.index, diagnostic);
     }
 }

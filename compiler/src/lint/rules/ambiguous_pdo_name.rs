@@ -43,7 +43,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         };
         let message = format!("{} and {} are both called `{}`", other.index, pdo.index, pdo.name);
         let diagnostic = Diagnostic::new(&RULE, message, pdo.origin.value("name"), "the same name")
-            .label(other.origin.value("name"), format!("{} has it, too", other.index));
+            .label(other.origin.value("name"), format!("{} has it, too", other.index))
+            .help("add a word to one of them that tells them apart");
         report.push(pdo.index, diagnostic);
     }
 }

@@ -50,6 +50,7 @@ fn judge(at: &Place, values: &[Meaning], place: Location, report: &mut Report) {
             continue;
         };
         let message = format!("{other} and {} both mean `{}` at {at}", meaning.value, meaning.name);
-        report.push(at.clone(), Diagnostic::new(&RULE, message, place, "one name twice"));
+        let diagnostic = Diagnostic::new(&RULE, message, place, "one name twice");
+        report.push(at, diagnostic.help("give each an `about` that tells them apart"));
     }
 }

@@ -41,8 +41,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             "transition {} to `{}` is automatic, but has the controlword {pattern}",
             transition.number, transition.to
         );
-        let diagnostic = Diagnostic::new(&RULE, message, transition.origin.value("pattern"), "sets it off?")
-            .label(transition.origin.value("automatic"), "happens by itself");
+        let diagnostic =
+            Diagnostic::new(&RULE, message, transition.origin.value("pattern"), "happens on command")
+                .label(transition.origin.value("automatic"), "happens by itself")
+                .help("take out what does not hold");
         report.push(Section::Transitions.at(transition.number), diagnostic);
     }
 }

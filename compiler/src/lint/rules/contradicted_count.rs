@@ -40,11 +40,16 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         if says != Some(highest.into())
             && let Some(says) = says
         {
-            let message = format!("{} says {says} entries, but the highest is {highest}", count.address);
+            let message =
+                format!("{} says {says} entries, but the last one described is {highest}", count.address);
             let at = count.origin.value("default");
-            let diagnostic = Diagnostic::new(&RULE, message, at, format!("{highest} entries follow"));
+            let diagnostic = Diagnostic::new(&RULE, message, at, format!("{says} by this"));
+            let help = match says > highest.into() {
+                true => format!("describe the others, or write {highest}"),
+                false => format!("write {highest}"),
+            };
             let last = object.entries.last().map_or(at, |entry| entry.origin.header());
-            report.push(count.address, diagnostic.label(last, "the last of them"));
+            report.push(count.address, diagnostic.label(last, "the last one").help(help));
         }
     }
 }

@@ -40,10 +40,12 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             if let (Some(written), Some(made)) = (written, made)
                 && written != made
             {
-                let message = format!("{} is said to be {written}, but it is {made}", entry.address);
+                let message =
+                    format!("{} is {written} by its default, but {made} by what is described", entry.address);
                 let diagnostic =
-                    Diagnostic::new(&RULE, message, entry.origin.value("default"), "not what follows")
-                        .note("it follows from `[rx-pdos]`, `[tx-pdos]` and `[sync-managers]`");
+                    Diagnostic::new(&RULE, message, entry.origin.value("default"), format!("{made} follows"))
+                        .note("it follows from `[rx-pdos]`, `[tx-pdos]` and `[sync-managers]`")
+                        .help("leave the default out, or mend what it follows from");
                 report.push(entry.address, diagnostic);
             }
         }

@@ -45,10 +45,15 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             };
             let number = transition.number;
             let bit = (sent.mask() & asked.mask() & (sent.value() ^ asked.value())).trailing_zeros();
-            let message = format!("`{}` cannot set transition {number} off: bit {bit} is not as asked", command.id);
-            let diagnostic =
-                Diagnostic::new(&RULE, message, transition.origin.value("pattern"), format!("asks for {asked}"))
-                    .label(command.origin.value("pattern"), format!("sends {sent}"));
+            let message =
+                format!("`{}` cannot set off transition {number}: they differ in bit {bit}", command.id);
+            let diagnostic = Diagnostic::new(
+                &RULE,
+                message,
+                transition.origin.value("pattern"),
+                format!("asks for {asked}"),
+            )
+            .label(command.origin.value("pattern"), format!("sends {sent}"));
             report.push(Section::Transitions.at(number), diagnostic);
         }
     }

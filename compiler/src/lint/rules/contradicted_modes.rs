@@ -55,7 +55,7 @@ fn judge(device: &Device, object: &Object, entry: &Entry, report: &mut Report) {
     if says == holds {
         return;
     }
-    let message = format!("{} says {says:#010X}, but the modes there are make {holds:#010X}", object.index);
+    let message = format!("{} says {says:#010X}, but the modes described make {holds:#010X}", object.index);
     let message = message.replace("0X", "0x");
     let at = entry.origin.value("default");
     let mut diagnostic = Diagnostic::new(&RULE, message, at, label(says, holds));

@@ -46,7 +46,8 @@ fn compare(object: &Object, entry: &Entry, key: &str, report: &mut Report) {
     let message = format!("the {} of {name} is {first} in one notation and {second} in the other", word(key));
     let label = format!("0x{first:X} is {first}, 0x{second:X} is {second}");
     let diagnostic = Diagnostic::new(&RULE, message, entry.origin.value(key), label)
-        .note(format!("{first}, which stands first, is taken"));
+        .note(format!("{first}, which stands first, is taken"))
+        .help("write the one that holds");
     report.push(name, diagnostic);
 }
 

@@ -45,7 +45,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let bits = pdo.entries.iter().map(|entry| entry.bits.to_string()).collect::<Vec<_>>().join(" + ");
         let at = pdo.origin.value("total");
         let diagnostic = Diagnostic::new(&RULE, message, at, format!("{says} bytes"))
-            .label(pdo.origin.value("entries"), format!("{bits} bits"));
+            .label(pdo.origin.value("entries"), format!("{bits} bits, {holds} bytes"));
         report.push(pdo.index, diagnostic);
     }
 }

@@ -38,11 +38,11 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let (here, there) = match single {
-            true => ("has several values", "a single value"),
-            false => ("is a single value", "an array or a record"),
+            true => ("several values", "a single value"),
+            false => ("a single value", "several values"),
         };
-        let message = format!("{} {here}, but is {there} in the profile", object.index);
-        let diagnostic = Diagnostic::new(&RULE, message, object.origin.value("kind"), "here")
+        let message = format!("{} has {here}, but {there} in the profile", object.index);
+        let diagnostic = Diagnostic::new(&RULE, message, object.origin.value("kind"), format!("{here} here"))
             .label(node.at, format!("{there} there"));
         report.push(object.index, diagnostic);
     }

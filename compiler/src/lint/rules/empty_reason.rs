@@ -28,18 +28,19 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for assumption in device.assumptions.iter().filter(|it| it.reason.trim().is_empty()) {
-        let message = format!("why {} is assumed is not said", assumption.at);
-        let key = assumption.at.path.as_deref().unwrap_or_default();
-        let path = format!("assumed.{}", key.rsplit('.').next().unwrap_or_default());
+        let message = format!("{} is assumed, but no reason is given", assumption.at);
+        let key = assumption.at.rsplit('.').next().unwrap_or_default();
+        let path = format!("assumed.{key}");
         let at = if assumption.origin.has(&path) { &*path } else { "assumed" };
         let diagnostic = Diagnostic::new(&RULE, message, assumption.origin.value(at), "no reason");
-        report.push(assumption.at.clone(), diagnostic);
+        report.push(&assumption.at, diagnostic.help("say what makes it likely"));
     }
     for (i, erratum) in device.errata.iter().enumerate() {
         if erratum.why.trim().is_empty() {
-            let message = format!("why `{}` at {} is no fault is not said", erratum.rule, erratum.at);
+            let message =
+                format!("the erratum at {} answers `{}`, but gives no reason", erratum.at, erratum.rule);
             let diagnostic = Diagnostic::new(&RULE, message, erratum.origin.value("why"), "no reason");
-            report.push(Section::Errata.at(i), diagnostic);
+            report.push(Section::Errata.at(i), diagnostic.help("say how you know what holds"));
         }
     }
 }

@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Section};
+use crate::model::{Device, Pdo};
+use crate::source::Location;
 
 rule! {
     /// PDOs that exclude each other cannot be assigned together. If the default assignment does so, the device
@@ -53,14 +54,31 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for manager in &device.sync_managers {
-        for pdo in manager.pdos.iter().filter_map(|index| device.pdo(*index)) {
-            let Some(other) = pdo.excludes.iter().find(|other| manager.pdos.contains(other)) else {
-                continue;
-            };
-            let message = format!("{} and {other} are assigned together, but exclude each other", pdo.index);
-            let diagnostic = Diagnostic::new(&RULE, message, manager.origin.value("pdos"), "assigned together")
-                .label(pdo.origin.value("excludes"), format!("{} excludes {other}", pdo.index));
-            report.push(Section::SyncManagers.at(manager.role.key()), diagnostic);
+        let pdos: Vec<&Pdo> = manager.pdos.iter().filter_map(|index| device.pdo(*index)).collect();
+        for (i, second) in pdos.iter().enumerate() {
+            for first in pdos.iter().take(i) {
+                if let Some(diagnostic) = judge(first, second, manager.origin.value("pdos")) {
+                    report.push(Section::SyncManagers.at(manager.role.key()), diagnostic);
+                }
+            }
         }
     }
+}
+
+fn judge(first: &Pdo, second: &Pdo, assigned: Location) -> Option<Diagnostic> {
+    let excludes = |one: &Pdo, other: &Pdo| one.excludes.contains(&other.index);
+    let pairs = [(first, second), (second, first)];
+    let saying: Vec<_> = pairs.into_iter().filter(|(one, other)| excludes(one, other)).collect();
+    let what = match saying.as_slice() {
+        [] => return None,
+        [(one, other)] => format!("{} excludes {}", one.index, other.index),
+        _ => "exclude each other".to_owned(),
+    };
+    let message = format!("{} and {} are assigned together, but {what}", first.index, second.index);
+    let mut diagnostic = Diagnostic::new(&RULE, message, assigned, "assigned together");
+    for (one, other) in saying {
+        let label = format!("{} excludes {}", one.index, other.index);
+        diagnostic = diagnostic.label(one.origin.value("excludes"), label);
+    }
+    Some(diagnostic.help("assign one of them by default; a master can choose the other"))
 }

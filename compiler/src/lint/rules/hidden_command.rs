@@ -56,7 +56,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             );
             let at = second.origin.value("pattern");
             let diagnostic = Diagnostic::new(&RULE, message, at, format!("`{}`", second.name))
-                .label(first.origin.value("pattern"), format!("`{}`", first.name));
+                .label(first.origin.value("pattern"), format!("`{}`", first.name))
+                .help("tell them apart by a bit that is 0 in one and 1 in the other");
             report.push(Section::Commands.at(&second.id), diagnostic);
         }
     }

@@ -59,11 +59,14 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     }
     let (_, product, revision) = mine;
     let message = format!(
-        "`{}` and `{}` have product code 0x{product:08X} and revision {revision}, but other process data",
+        "`{}` and `{}` share product code 0x{product:08X} and revision {revision}, but not their process data",
         first.id, device.id
     );
     let place = device.identity.origin.value("product-code");
-    report.push(Section::Identity, Diagnostic::new(&RULE, message, place, "the same for both"));
+    let diagnostic = Diagnostic::new(&RULE, message, place, "the same for both")
+        .note("a master takes the one for the other")
+        .help("give one of them a product code or a revision of its own");
+    report.push(Section::Identity, diagnostic);
 }
 
 fn numbers(identity: &Identity) -> (u32, u32, u32) {

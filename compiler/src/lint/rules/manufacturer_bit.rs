@@ -39,8 +39,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let Some((first, others)) = odd.split_first() else { return };
     let names = odd.iter().map(|error| format!("0x{:04X}", error.code)).collect::<Vec<_>>().join(", ");
     let message = match odd.len() {
-        1 => format!("{names} of the profile comes with bit 7, manufacturer-specific"),
-        count => format!("{count} errors of the profile come with bit 7, manufacturer-specific"),
+        1 => format!("{names} is an error of the profile, but sets bit 7, manufacturer-specific"),
+        count => format!("{count} errors of the profile set bit 7, manufacturer-specific"),
     };
     let mut diagnostic = Diagnostic::new(&RULE, message, first.origin.value("register"), "bit 7 is 1");
     for other in others.iter().take(2) {

@@ -60,12 +60,12 @@ pub(super) fn class(error: &ErrorCode) -> Option<(u8, &'static str)> {
 fn judge(error: &ErrorCode, register: u8, bit: u8, what: &str) -> Diagnostic {
     let code = format!("0x{:04X}", error.code);
     let number = bit.trailing_zeros();
-    let message = format!("{code} comes with 0x{register:02X}, without bit {number}, {what}");
+    let message = format!("{code} sets 0x{register:02X} in the error register, without bit {number}, {what}");
     let at = error.origin.value("register");
     let diagnostic = Diagnostic::new(&RULE, message, at, format!("bit {number} is 0")).label(
         error.origin.header(),
         if bit == 1 { "an error".to_owned() } else { format!("{what} by its code") },
     );
     let usual = class(error).map_or(0, |(bit, _)| bit) | 0x01;
-    diagnostic.note(format!("0x{usual:02X} would show what the code says"))
+    diagnostic.help(format!("0x{usual:02X} would show what the code says"))
 }

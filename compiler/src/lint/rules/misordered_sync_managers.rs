@@ -38,7 +38,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             after.address, before.address
         );
         let diagnostic = Diagnostic::new(&RULE, message, after.origin.value("address"), "before the other")
-            .label(before.origin.value("address"), "behind the other");
+            .label(before.origin.value("address"), "behind the other")
+            .help("swap the two if they were mixed up");
         report.push(Section::SyncManagers.at(second), diagnostic);
     }
 }

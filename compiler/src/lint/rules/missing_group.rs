@@ -54,7 +54,8 @@ fn judge(coordinates: &Coordinates, parameter: &str, at: Place, place: Location,
     }
     let message = format!("{parameter} belongs to group {letter}, which is not listed");
     let diagnostic = Diagnostic::new(&RULE, message, place, format!("group {letter}"))
-        .label(coordinates.origin.value("groups"), "the groups");
+        .label(coordinates.origin.value("groups"), "the groups")
+        .help("list it there, with its number");
     report.push(at, diagnostic);
 }
 

@@ -35,11 +35,14 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for need in needs(device) {
         let missing = need.objects.iter().filter(|index| device.object(Index(**index)).is_none());
-        let missing = lookup::list(missing.map(|index| Index(*index)));
+        let missing: Vec<Index> = missing.map(|index| Index(*index)).collect();
         if !missing.is_empty() {
+            let headers = missing.iter().map(|index| format!("`[objects.{index}]`"));
+            let help = format!("add {}", lookup::list(headers));
+            let missing = lookup::list(&missing);
             let message = format!("{} needs {missing}, which the dictionary does not have", need.who);
-            let diagnostic = Diagnostic::new(&RULE, message, need.at, "needs them");
-            report.push(need.subject, diagnostic.note(need.clause).help("add `[objects.<index>]` for each"));
+            let diagnostic = Diagnostic::new(&RULE, message, need.at, format!("needs {missing}"));
+            report.push(need.subject, diagnostic.note(need.clause).help(help));
         }
     }
 }

@@ -39,8 +39,17 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("groups {} and {} share indices", first.letter, second.letter);
         let place = |group: &Group| coordinates.origin.value(&format!("groups.{}", group.letter));
         let diagnostic =
-            Diagnostic::new(&RULE, message, place(second), "this group").label(place(first), "and this one");
+            Diagnostic::new(&RULE, message, place(second), extent(second)).label(place(first), extent(first));
         report.push(Section::Coordinates.at("groups").at(&second.letter), diagnostic);
+    }
+}
+
+/// What makes the indices of a group.
+fn extent(group: &Group) -> String {
+    match (group.number, group.range) {
+        (Some(number), _) => format!("{} has number {number}", group.letter),
+        (None, Some((first, last))) => format!("{} has {first} to {last}", group.letter),
+        (None, None) => String::new(),
     }
 }
 

@@ -45,7 +45,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             return;
         }
         let diagnostic = Diagnostic::new(&RULE, message, identity.origin.value(key), "a placeholder?");
-        report.push(Section::Identity.at(key), diagnostic.note(note));
+        let help = "write the real one, or say under `assumed` why there is none";
+        report.push(Section::Identity.at(key), diagnostic.note(note).help(help));
     };
     for (key, name, value) in zeros {
         if value == 0 {

@@ -47,7 +47,7 @@ fn judge(section: Section, selected: Vec<Selected<'_>>, report: &mut Report) {
                 first.insert(*alias, *it);
                 continue;
             };
-            let message = format!("{alias} is `{}` and `{}`", other.2, it.2);
+            let message = format!("{alias} selects `{}` and `{}`", other.2, it.2);
             let diagnostic = Diagnostic::new(&RULE, message, it.3.value("aliases"), "again here")
                 .label(other.3.header(), "first here");
             report.push(section.at(it.0), diagnostic);

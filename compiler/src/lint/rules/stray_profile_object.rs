@@ -41,27 +41,26 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         return;
     }
     for object in lookup::objects(device).filter(|object| object.axis.is_none()) {
-        let Some(message) = stray(device, object) else { continue };
-        let diagnostic = Diagnostic::new(&RULE, message, object.origin.header(), "lies here")
-            .note("CiA 402 has axis n at 0x6000 + n × 0x800 to 0x67FF + n × 0x800, the first with n = 0");
+        let Some((axis, why, help)) = stray(device, object) else { continue };
+        let message = format!("{} lies in the range of axis {axis}, but {why}", object.index);
+        let label = format!("of axis {axis} by its index");
+        let diagnostic = Diagnostic::new(&RULE, message, object.origin.header(), label)
+            .note("CiA 402 has axis n at 0x6000 + n × 0x800 to 0x67FF + n × 0x800, the first with n = 0")
+            .help(help);
         report.push(object.index, diagnostic);
     }
 }
 
-/// What is wrong with the place of an object, if anything is.
-fn stray(device: &Device, object: &Object) -> Option<String> {
+/// The axis in whose range an object lies, counted from 1, why it should not, and what to do; none if all is well.
+fn stray(device: &Device, object: &Object) -> Option<(usize, String, &'static str)> {
     let window = usize::from(object.index.0.checked_sub(0x6000)? / 0x800);
-    let number = window + 1;
-    match device.axes.len() {
-        _ if object.index.0 > 0x9FFF => None,
-        1 if window == 0 => None,
-        axes if window >= axes => {
-            let only = if axes == 1 { "is only one".to_owned() } else { format!("are only {axes}") };
-            Some(format!("{} lies in the range of axis {number}, but there {only}", object.index))
-        }
-        _ => Some(format!(
-            "{} lies in the range of axis {number}, but `[axes] shifts` does not repeat it",
-            object.index
-        )),
-    }
+    let add = "name the axis in `[axes]`, or give the object the index that it has on its own axis";
+    let (why, help) = match device.axes.len() {
+        _ if object.index.0 > 0x9FFF => return None,
+        1 if window == 0 => return None,
+        1 => ("there is only one".to_owned(), add),
+        axes if window >= axes => (format!("there are only {axes}"), add),
+        _ => ("`[axes] shifts` does not repeat it".to_owned(), "repeat its range there if every axis has it"),
+    };
+    Some((window + 1, why, help))
 }

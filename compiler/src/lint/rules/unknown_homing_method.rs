@@ -50,9 +50,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             entry.default.as_ref().and_then(|default| default.integer()).filter(|number| *number != 0);
         let Some(number) = number.filter(|number| !known(*number)) else { continue };
         let message = format!("{} is {number} by default, which is no homing method", object.index);
-        let methods = lookup::list(device.homing_methods.iter().map(|method| method.number));
-        let diagnostic = Diagnostic::new(&RULE, message, entry.origin.value("default"), "no such method")
-            .note(format!("the methods are {methods}"));
+        let methods = lookup::all("method", device.homing_methods.iter().map(|method| method.number));
+        let diagnostic =
+            Diagnostic::new(&RULE, message, entry.origin.value("default"), "no such method").note(methods);
         report.push(object.index, diagnostic);
     }
 }

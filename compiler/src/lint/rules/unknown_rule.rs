@@ -33,7 +33,7 @@ pub(in crate::lint) fn judge(name: &str, at: Location) -> Option<Diagnostic> {
     }
     let diagnostic = Diagnostic::new(&RULE, format!("there is no rule `{name}`"), at, "not a rule or group");
     Some(match near(name, rules()) {
-        Some(rule) => diagnostic.fix(format!("there is `{rule}`"), at, rule),
-        None => diagnostic.help("`devc rules` lists them"),
+        Some(rule) => diagnostic.fix(format!("did you mean `{rule}`?"), at, rule),
+        None => diagnostic.help("`devc rules` lists all rules"),
     })
 }

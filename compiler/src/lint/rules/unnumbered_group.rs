@@ -35,7 +35,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let path = format!("groups.{}", group.letter);
         let message = format!("group {}, `{}`, has no number", group.letter, group.name);
         let diagnostic = Diagnostic::new(&RULE, message, coordinates.origin.value(&path), "no `number`")
-            .note("its parameters have no index");
+            .note("the index of a parameter follows from the number of its group");
         report.push(Section::Coordinates.at(path), diagnostic);
     }
 }

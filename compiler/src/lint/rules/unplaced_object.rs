@@ -38,7 +38,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let Some(area) = nearest(device, index).filter(|area| object.is_leading() && !holds(area, index)) else { continue };
         let message = format!("{index} `{}` lies in none of the areas", object.name);
         let diagnostic = Diagnostic::new(&RULE, message, object.origin.header(), "outside")
-            .label(area.origin.header(), format!("`{}` is {} to {}", area.name, area.first, area.last));
+            .label(area.origin.header(), format!("`{}` is {} to {}", area.name, area.first, area.last))
+            .help("widen the area, or add one");
         report.push(index, diagnostic);
     }
 }

@@ -50,9 +50,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         if names.is_empty() || unit.axes.iter().all(|axis| axis.scale.is_none()) {
             continue;
         }
-        let message = format!("`{}` has a scale, but not on {}", unit.id, lookup::list(names));
+        let message = format!("`{}` has a scale, but not on {}", unit.id, lookup::list(&names));
         let diagnostic = Diagnostic::new(&RULE, message, unit.origin.header(), "no `raw-per-unit` for all")
-            .label(unit.origin.value("per-axis"), "for these axes");
+            .label(unit.origin.value("per-axis"), "for these axes")
+            .help(format!("give `raw-per-unit` for {}, too, or for all axes", lookup::list(&names)));
         report.push(Section::Units.at(&unit.id), diagnostic);
     }
 }

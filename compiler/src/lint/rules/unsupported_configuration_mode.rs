@@ -49,9 +49,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     for configuration in &device.configurations {
         let Some(code) = configuration.mode.filter(|code| !known(*code)) else { continue };
         let message = format!("`{}` sets mode {code}, which the device does not have", configuration.name);
-        let modes = lookup::list(device.modes.iter().map(|mode| mode.code));
-        let diagnostic = Diagnostic::new(&RULE, message, configuration.origin.value("mode"), "no such mode")
-            .note(format!("the modes are {modes}"));
+        let modes = lookup::all("mode", device.modes.iter().map(|mode| mode.code));
+        let diagnostic =
+            Diagnostic::new(&RULE, message, configuration.origin.value("mode"), "no such mode").note(modes);
         report.push(Section::Configurations.at(&configuration.id), diagnostic);
     }
 }

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, rule};
-use crate::lint::Report;
+use crate::lint::{Report, lookup};
 use crate::model::Device;
 
 rule! {
@@ -44,9 +44,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let known = |code: i16| device.modes.iter().any(|mode| mode.code == code || mode.aliases.contains(&code));
     for pdo in &device.pdos {
         let Some(code) = pdo.mode.filter(|code| !known(*code)) else { continue };
-        let modes = device.modes.iter().map(|mode| mode.code.to_string()).collect::<Vec<_>>().join(", ");
+        let modes = lookup::all("mode", device.modes.iter().map(|mode| mode.code));
         let message = format!("{} is for mode {code}, which the device does not have", pdo.index);
         let diagnostic = Diagnostic::new(&RULE, message, pdo.origin.value("mode"), "no such mode");
-        report.push(pdo.index, diagnostic.note(format!("the modes are {modes}")));
+        report.push(pdo.index, diagnostic.note(modes));
     }
 }

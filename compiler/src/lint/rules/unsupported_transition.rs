@@ -63,7 +63,10 @@ fn transition(device: &Device, number: u8) -> Option<&Transition> {
 fn judge(device: &Device, command: &Command, lost: &[u8]) -> Diagnostic {
     let list = |numbers: &[u8]| numbers.iter().map(u8::to_string).collect::<Vec<_>>().join(", ");
     let names = list(lost);
-    let message = format!("`{}` sets off transition {names}, which is not supported", command.name);
+    let message = match lost {
+        [_] => format!("`{}` sets off transition {names}, which is not supported", command.name),
+        _ => format!("`{}` sets off transitions {names}, which are not supported", command.name),
+    };
     let at = first(command, lost);
     let mut diagnostic = Diagnostic::new(&RULE, message, at, "sets it off");
     for transition in lost.iter().filter_map(|number| transition(device, *number)) {
