@@ -2208,21 +2208,24 @@ pub mod s300 {
 
         /// Invalid requested state change.
         ///
-        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        /// No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB,
+        /// SB, PB. Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
 
         /// Invalid sync manager configuration.
         ///
-        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        /// A sync manager of the process data is not set as the device needs it. In the transitions PS, SO.
+        /// Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
         /// Synchronisation error.
         ///
-        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
+        /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
@@ -2243,9 +2246,11 @@ pub mod s300 {
             match self.0 {
                 0x0000 => "Results in the present state.",
                 0x0011 =>
-                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
-                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
-                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                    "No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 =>
+                    "A sync manager of the process data is not set as the device needs it. In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A =>
+                    "The device has lost step with the master, or never found it. In the transitions O, SO. Results in Safe-operational, with the error bit.",
                 _ => "",
             }
         }
@@ -7680,21 +7685,24 @@ pub mod s400 {
 
         /// Invalid requested state change.
         ///
-        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        /// No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB,
+        /// SB, PB. Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
 
         /// Invalid sync manager configuration.
         ///
-        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        /// A sync manager of the process data is not set as the device needs it. In the transitions PS, SO.
+        /// Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
         /// Synchronisation error.
         ///
-        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
+        /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
@@ -7715,9 +7723,11 @@ pub mod s400 {
             match self.0 {
                 0x0000 => "Results in the present state.",
                 0x0011 =>
-                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
-                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
-                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                    "No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 =>
+                    "A sync manager of the process data is not set as the device needs it. In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A =>
+                    "The device has lost step with the master, or never found it. In the transitions O, SO. Results in Safe-operational, with the error bit.",
                 _ => "",
             }
         }
@@ -12231,21 +12241,24 @@ pub mod s600 {
 
         /// Invalid requested state change.
         ///
-        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        /// No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB,
+        /// SB, PB. Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
 
         /// Invalid sync manager configuration.
         ///
-        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        /// A sync manager of the process data is not set as the device needs it. In the transitions PS, SO.
+        /// Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
         /// Synchronisation error.
         ///
-        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
+        /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
@@ -12266,9 +12279,11 @@ pub mod s600 {
             match self.0 {
                 0x0000 => "Results in the present state.",
                 0x0011 =>
-                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
-                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
-                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                    "No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 =>
+                    "A sync manager of the process data is not set as the device needs it. In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A =>
+                    "The device has lost step with the master, or never found it. In the transitions O, SO. Results in Safe-operational, with the error bit.",
                 _ => "",
             }
         }
@@ -17060,21 +17075,24 @@ pub mod s700 {
 
         /// Invalid requested state change.
         ///
-        /// In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.
+        /// No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB,
+        /// SB, PB. Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_REQUESTED_STATE_CHANGE: Self = Self(0x0011);
 
         /// Invalid sync manager configuration.
         ///
-        /// In the transitions PS, SO. Results in the present state, with the error bit.
+        /// A sync manager of the process data is not set as the device needs it. In the transitions PS, SO.
+        /// Results in the present state, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
         /// Synchronisation error.
         ///
-        /// In the transitions O, SO. Results in Safe-operational, with the error bit.
+        /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
+        /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
         pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
@@ -17095,9 +17113,11 @@ pub mod s700 {
             match self.0 {
                 0x0000 => "Results in the present state.",
                 0x0011 =>
-                    "In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
-                0x0017 => "In the transitions PS, SO. Results in the present state, with the error bit.",
-                0x001A => "In the transitions O, SO. Results in Safe-operational, with the error bit.",
+                    "No transition leads from the present state to the one asked for. In the transitions IS, IO, PO, OB, SB, PB. Results in the present state, with the error bit.",
+                0x0017 =>
+                    "A sync manager of the process data is not set as the device needs it. In the transitions PS, SO. Results in the present state, with the error bit.",
+                0x001A =>
+                    "The device has lost step with the master, or never found it. In the transitions O, SO. Results in Safe-operational, with the error bit.",
                 _ => "",
             }
         }
