@@ -6,6 +6,8 @@ mod compile;
 pub mod derive;
 pub mod diagnostic;
 pub mod emit;
+#[cfg(feature = "cli")]
+pub mod explain;
 pub mod lint;
 pub mod model;
 mod profiles;

@@ -50,7 +50,8 @@ Examples:
   devc build                      make the outputs of every description under devices/
   devc build devices/c887         make those of one
   devc check devices/c887         only say what is wrong with it
-  devc explain unknown-key        what a message means, with an example";
+  devc explain unknown-key        what a message means, with an example
+  devc explain 0x6064             what the profiles say of an index, a code or a name";
 
 const LONG_EXAMPLES: &str = "\
 Examples:
@@ -63,6 +64,7 @@ Examples:
   devc check --baseline known.json --update-baseline
                                   start from what is known today, then leave out the second option
   devc explain unknown-key        what a message means, with an example
+  devc explain 0x6064             what the profiles say of an index, a code or a name
 
 Exit codes:
   0  all is well; there may be warnings

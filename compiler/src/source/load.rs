@@ -112,7 +112,8 @@ fn layer(
     layered
 }
 
-fn read_profile(profile: &Profile, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Table {
+/// A profile as a tree.
+pub(crate) fn read_profile(profile: &Profile, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Table {
     let path = format!("<profile {}>", profile.name);
     let file = sources.add(SourceFile { path, text: profile.text.to_owned(), embedded: true });
     let mut table = parse(file, profile.text, Layer::Profile, diagnostics);

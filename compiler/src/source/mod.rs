@@ -16,6 +16,8 @@ mod settings;
 mod tests;
 mod tree;
 
+#[cfg(feature = "cli")]
+pub(crate) use load::read_profile;
 pub use load::{Document, MAIN_FILE, Profile, load};
 pub use loader::{Disk, Loader, MAX_SIZE, Memory};
 pub use origin::Origin;

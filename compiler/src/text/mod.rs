@@ -49,6 +49,11 @@ impl Sources {
         self.files.get(usize::try_from(id.0).ok()?)
     }
 
+    /// What stands at a place.
+    pub fn slice(&self, at: Location) -> Option<&str> {
+        self.get(at.file)?.text.get(usize::try_from(at.start).ok()?..usize::try_from(at.end).ok()?)
+    }
+
     /// All files, in the order in which they were read.
     pub fn iter(&self) -> impl Iterator<Item = (FileId, &SourceFile)> {
         (0..).map(FileId).zip(&self.files)

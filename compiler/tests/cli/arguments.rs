@@ -38,18 +38,6 @@ fn without_devices_a_path_is_needed() {
 }
 
 #[test]
-fn rules_are_listed_and_explained() {
-    let desk = Desk::sound();
-    let rules = desk.devc(&["rules"]);
-    rules.ends(0, &["unknown-key"]);
-    for name in rules.out.lines().filter_map(|line| line.split_whitespace().next()) {
-        desk.devc(&["explain", name]).ends(0, &[name, "## Fires", "## Silent"]);
-    }
-    desk.devc(&["explain", "unknown-kye"]).ends(2, &["did you mean `unknown-key`?"]);
-    desk.devc(&["explain", "nonsense"]).ends(2, &["`devc rules` lists all rules"]);
-}
-
-#[test]
 fn colours_only_where_they_are_seen() {
     let desk = Desk::new(&[("drive", &SOUND.replace("name   = \"Speed\"", "nmae = \"Speed\""))]);
     assert!(!desk.devc(&["check"]).err.contains('\u{1b}'), "a pipe is no terminal");

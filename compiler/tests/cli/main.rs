@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod arguments;
+mod explain;
 mod findings;
 mod levels;
 mod outputs;

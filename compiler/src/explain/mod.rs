@@ -1,0 +1,95 @@
+//! What devc knows of a word: the rule of this name, or what the profiles say of it.
+//!
+//! Questions are asked of trees, as files of TOML are parsed into, so that a description could be asked as well.
+
+mod entity;
+mod find;
+mod layout;
+mod near;
+mod noun;
+mod outline;
+mod relation;
+mod tree;
+mod view;
+mod word;
+
+use crate::diagnostic::Rule;
+use crate::{profiles, rules};
+use find::{Found, find};
+use tree::Trees;
+use word::Phrase;
+
+/// That nothing is known of a word.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unknown {
+    /// What is known and looks like it, the most alike first.
+    pub near: Vec<String>,
+}
+
+/// Tells what is known of some words: the name of a rule or a profile; an index, a code, an id or a name of what profiles
+/// have, which the name of a profile and a word such as `mode` or `error` in front may narrow.
+///
+/// # Errors
+/// If nothing is known of them.
+pub fn explain(words: &[String]) -> Result<String, Unknown> {
+    if let [name] = words
+        && let Ok(rule) = rules::find(name)
+    {
+        return Ok(of_rule(rule));
+    }
+    answer(&Trees::of(profiles::ALL), &Phrase::new(words))
+}
+
+/// What trees say of a phrase.
+fn answer(trees: &Trees, phrase: &Phrase) -> Result<String, Unknown> {
+    let parts = find(trees, phrase).into_iter().map(|found| match found {
+        Found::Tree(tree) => outline::of_tree(tree),
+        Found::Section(entities) => outline::of_section(&entities),
+        Found::Entity(entity) => view::of_entity(trees, entity),
+        Found::Entry(entity, entry) => view::of_entry(trees, entity, entry),
+    });
+    let parts: Vec<String> = parts.collect();
+    if parts.is_empty() { Err(Unknown { near: near::near(trees, phrase) }) } else { Ok(parts.join("\n\n")) }
+}
+
+/// A rule with all that its author says of it.
+fn of_rule(rule: &Rule) -> String {
+    let (summary, level, docs) = (rule.summary, rules::default_level(rule), rules::docs(rule));
+    format!("{}: {summary} ({level})\n\n{docs}", rule.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Profile;
+
+    fn ask(text: &'static str, words: &str) -> Result<String, Unknown> {
+        answer(&Trees::of(&[Profile { name: "test", text }]), &Phrase::new(&[words.to_owned()]))
+    }
+
+    #[test]
+    fn what_is_written_is_shown_as_it_is_written() {
+        let text = "source = \"ETG.1000\"\n[errors.0x2310]\nname = \"Overcurrent\"\nregister = 0x03\n\
+                    vendor-codes = [7, 0x08]\n[homing-bits.x]\nbits = { start = 4, done = 0xA }\n";
+        let expected = "error 0x2310 of test: Overcurrent\n\n  register      0x03\n  vendor-codes  7, 0x08\n  \
+                        source        ETG.1000";
+        assert_eq!(ask(text, "0x2310").as_deref(), Ok(expected));
+        assert_eq!(
+            ask(text, "x").as_deref(),
+            Ok("homing bit x of test\n\n  bits    start 4, done 0xA\n  source  ETG.1000")
+        );
+    }
+
+    #[test]
+    fn sections_that_nobody_knows_are_shown_all_the_same() {
+        let text = "[widgets.a]\nname = \"First\"\n[widgets.-1]\nname = \"Second\"\naliases = [5]\n";
+        assert_eq!(ask(text, "widgets").as_deref(), Ok("widgets of test\n  a   First\n  -1  Second"));
+        for words in ["widget -1", "5", "second"] {
+            assert!(
+                ask(text, words).is_ok_and(|said| said.starts_with("widget -1 of test: Second")),
+                "{words}"
+            );
+        }
+        assert_eq!(ask(text, ""), Err(Unknown { near: Vec::new() }));
+    }
+}
