@@ -9,6 +9,7 @@ mod hooks;
 mod information;
 mod master;
 mod messages;
+mod rights;
 mod served;
 mod single;
 mod wire;
