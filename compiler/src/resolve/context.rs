@@ -5,8 +5,8 @@ use std::str::FromStr;
 use super::names::{self, Names};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
 use crate::model::{Address, Axis, Index, Object, Shift};
-use crate::text::near::{list, near};
 use crate::source::{Location, Origin};
+use crate::text::near::{list, near};
 
 /// The state of resolving one device.
 pub(super) struct Context<'a> {

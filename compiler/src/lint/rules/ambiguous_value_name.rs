@@ -51,6 +51,6 @@ fn judge(at: &Place, values: &[Meaning], place: Location, report: &mut Report) {
         };
         let message = format!("{other} and {} both mean `{}` at {at}", meaning.value, meaning.name);
         let diagnostic = Diagnostic::new(&RULE, message, place, "one name twice");
-        report.push(at, diagnostic.help("give each an `about` that tells them apart"));
+        report.push(at.clone(), diagnostic.help("give each an `about` that tells them apart"));
     }
 }

@@ -41,8 +41,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             continue;
         }
         let message = format!("`{other}` and `{id}` are both `{}` in Rust", identifier(id));
-        let diagnostic =
-            Diagnostic::new(&RULE, message, place, "gets a number behind it").label(*at, "has the identifier");
+        let diagnostic = Diagnostic::new(&RULE, message, place, "gets a number behind it")
+            .label(*at, "has the identifier");
         report.push(subject, diagnostic);
     }
 }

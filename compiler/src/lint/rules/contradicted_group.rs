@@ -56,7 +56,11 @@ fn compare(
 ) {
     let size = u32::from(coordinates.group_size);
     let begin = u32::from(coordinates.base.0) + u32::from(number) * size;
-    let shift = device.arrangement.shifts.iter().find(|shift| (shift.first.0.into()..=shift.last.0.into()).contains(&begin));
+    let shift = device
+        .arrangement
+        .shifts
+        .iter()
+        .find(|shift| (shift.first.0.into()..=shift.last.0.into()).contains(&begin));
     let distance = shift.map_or(0, |shift| u32::from(shift.by) * u32::from(axis));
     let begin = begin + distance;
     let end = begin + size.saturating_sub(1);

@@ -1,7 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{DataType, Device, Entry, Object};
 use crate::model::Literal;
+use crate::model::{DataType, Device, Entry, Object};
 use crate::source::Value;
 
 rule! {

@@ -39,7 +39,9 @@ rule! {
 pub(super) fn check(device: &Device, report: &mut Report) {
     for object in lookup::objects(device).filter(|object| object.axis.is_some_and(|axis| axis > 0)) {
         let Some(first) = device.object(object.leading) else { continue };
-        let Some((key, what)) = difference(first, object).filter(|_| object.note == first.note) else { continue };
+        let Some((key, what)) = difference(first, object).filter(|_| object.note == first.note) else {
+            continue;
+        };
         let message = format!("{} {what} than {} on the first axis", object.index, first.index);
         let diagnostic = Diagnostic::new(&RULE, message, object.origin.value(key), "different here")
             .label(first.origin.value(key), "on the first axis")

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Pdo};
+use crate::model::{Device, Pdo, Section};
 use crate::source::Location;
 
 rule! {

@@ -46,7 +46,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let message = format!("{} carries {name}, which is without function", pdo.index);
         let bits = mapped.bits;
         let diagnostic = Diagnostic::new(&RULE, message, mapped.at, format!("{bits} bits in every cycle"))
-            .label(lookup::place(object, entry, "functional"), "says that it does nothing")
+            .label(entry.origin.value("functional"), "says that it does nothing")
             .help("take it out of the PDO, unless the device has it there by default");
         report.push(at, diagnostic);
     }

@@ -40,7 +40,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             let entries = object.entries.iter().find(|entry| entry.address.subindex > 0);
             let own = entries.map(|entry| entry.origin.value(key));
             let diagnostic = Diagnostic::new(&RULE, message, at, "overruled by each entry");
-            let diagnostic = own.into_iter().fold(diagnostic, |diagnostic, own| diagnostic.label(own, "as here"));
+            let diagnostic =
+                own.into_iter().fold(diagnostic, |diagnostic, own| diagnostic.label(own, "as here"));
             report.push(object.index, diagnostic.help("take it out, or out of the entries that share it"));
         }
     }

@@ -39,10 +39,9 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         }
         let name = lookup::name(object, entry);
         let message = format!("{name} is {default} by default, but its values are {first} to {last}");
-        let diagnostic =
-            Diagnostic::new(&RULE, message, lookup::place(object, entry, "default"), "has no meaning")
-                .label(lookup::place(object, entry, "values"), format!("{first} to {last} have one"))
-                .help("say what it means, or correct it");
+        let diagnostic = Diagnostic::new(&RULE, message, entry.origin.value("default"), "has no meaning")
+            .label(entry.origin.value("values"), format!("{first} to {last} have one"))
+            .help("say what it means, or correct it");
         report.push(name, diagnostic);
     }
 }

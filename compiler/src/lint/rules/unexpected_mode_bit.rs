@@ -43,10 +43,8 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for mode in &device.modes {
-        let words = [
-            (0x6040, "control-bits", &mode.control_bits),
-            (0x6041, "status-bits", &mode.status_bits),
-        ];
+        let words =
+            [(0x6040, "control-bits", &mode.control_bits), (0x6041, "status-bits", &mode.status_bits)];
         for (index, key, fields) in words {
             let word = device.words.iter().find(|word| word.address.index == Index(index));
             if let Some(word) = word {

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Repeated, Area, Device, Index};
+use crate::model::{Area, Device, Index, Repeated};
 
 rule! {
     /// `[areas]` says which indices a device uses for what. Where it divides a part of the dictionary, be it that for
@@ -35,7 +35,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     }
     for object in lookup::objects(device) {
         let index = object.index;
-        let Some(area) = nearest(device, index).filter(|area| object.is_leading() && !holds(area, index)) else { continue };
+        let Some(area) = nearest(device, index).filter(|area| object.is_leading() && !holds(area, index))
+        else {
+            continue;
+        };
         let message = format!("{index} `{}` lies in none of the areas", object.name);
         let diagnostic = Diagnostic::new(&RULE, message, object.origin.header(), "outside")
             .label(area.origin.header(), format!("`{}` is {} to {}", area.name, area.first, area.last))

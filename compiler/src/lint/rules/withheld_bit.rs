@@ -37,7 +37,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         for field in word.fields.iter().filter(|field| field.reserved) {
             let Some(bit) = report.profile(&word.origin, &field.path("bits")) else { continue };
             let Some(meaning) = meaning(bit) else { continue };
-            let message = format!("bit {} of {} is reserved, but `{meaning}` in the profile", field.low, word.name);
+            let message =
+                format!("bit {} of {} is reserved, but `{meaning}` in the profile", field.low, word.name);
             let at = word.origin.value(&(field.path("bits") + ".reserved"));
             let diagnostic = Diagnostic::new(&RULE, message, at, "reserved here")
                 .label(bit.at, "the profile's bit")
