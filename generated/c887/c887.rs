@@ -349,28 +349,28 @@ pub mod objects {
     pub mod sync_manager_2_pdo_assignment {
         use super::*;
 
-        /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 6.
+        /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadWrite> = Entry::new(0x1C12, 0);
 
-        /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1600.
+        /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1600.
         pub const ENTRY_1: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 1);
 
-        /// `0x1C12:02` SubIndex 002. UINT16, rw, written at PS, default 0x1610.
+        /// `0x1C12:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1610.
         pub const ENTRY_2: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 2);
 
-        /// `0x1C12:03` SubIndex 003. UINT16, rw, written at PS, default 0x1620.
+        /// `0x1C12:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1620.
         pub const ENTRY_3: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 3);
 
-        /// `0x1C12:04` SubIndex 004. UINT16, rw, written at PS, default 0x1630.
+        /// `0x1C12:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1630.
         pub const ENTRY_4: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 4);
 
-        /// `0x1C12:05` SubIndex 005. UINT16, rw, written at PS, default 0x1640.
+        /// `0x1C12:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1640.
         pub const ENTRY_5: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 5);
 
-        /// `0x1C12:06` SubIndex 006. UINT16, rw, written at PS, default 0x1650.
+        /// `0x1C12:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1650.
         pub const ENTRY_6: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 6);
 
-        /// `0x1C12:07` SubIndex 007. UINT16, rw, written at PS, default 0.
+        /// `0x1C12:07` SubIndex 007. UINT16, rw, written in PreOP only, default 0.
         ///
         /// For future use.
         pub const ENTRY_7: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 7);
@@ -384,25 +384,25 @@ pub mod objects {
     pub mod sync_manager_3_pdo_assignment {
         use super::*;
 
-        /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 6.
+        /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadWrite> = Entry::new(0x1C13, 0);
 
-        /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1A00.
+        /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1A00.
         pub const ENTRY_1: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 1);
 
-        /// `0x1C13:02` SubIndex 002. UINT16, rw, written at PS, default 0x1A10.
+        /// `0x1C13:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1A10.
         pub const ENTRY_2: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 2);
 
-        /// `0x1C13:03` SubIndex 003. UINT16, rw, written at PS, default 0x1A20.
+        /// `0x1C13:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1A20.
         pub const ENTRY_3: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 3);
 
-        /// `0x1C13:04` SubIndex 004. UINT16, rw, written at PS, default 0x1A30.
+        /// `0x1C13:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1A30.
         pub const ENTRY_4: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 4);
 
-        /// `0x1C13:05` SubIndex 005. UINT16, rw, written at PS, default 0x1A40.
+        /// `0x1C13:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1A40.
         pub const ENTRY_5: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 5);
 
-        /// `0x1C13:06` SubIndex 006. UINT16, rw, written at PS, default 0x1A50.
+        /// `0x1C13:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1A50.
         pub const ENTRY_6: Entry<C887, u16, ReadWrite> = Entry::new(0x1C13, 6);
     }
 
@@ -700,8 +700,8 @@ pub mod objects {
     pub mod buffered_parameters {
         use super::*;
 
-        /// `0x5010:00` Highest subindex supported. INT32, ro, default 2.
-        pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, i32, ReadOnly> = Entry::new(0x5010, 0);
+        /// `0x5010:00` Highest subindex supported. UINT8, ro, default 4.
+        pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5010, 0);
 
         /// `0x5010:01` Work coordinates. INT32, rw, default 0.
         ///
@@ -999,14 +999,14 @@ pub mod objects {
             axis.entry(0x60C2, 0x800, 0)
         }
 
-        /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS, default 1.
+        /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only, default 1.
         ///
         /// It does nothing on Y, Z, U, V, W.
         pub const fn interpolation_time_period_value(axis: Axis) -> Entry<C887, u8, ReadWrite, Rx> {
             axis.entry(0x60C2, 0x800, 1)
         }
 
-        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS, default -3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only, default -3.
         ///
         /// It does nothing on Y, Z, U, V, W.
         pub const fn interpolation_time_index(axis: Axis) -> Entry<C887, i8, ReadWrite, Rx> {
@@ -1046,7 +1046,7 @@ pub mod objects {
         axis.entry(0x60FF, 0x800, 0).measured_in(units::velocity(axis))
     }
 
-    /// `0x6502:00` Supported drive modes. UINT32, ro, default 0 (p. 21 to 31).
+    /// `0x6502:00` Supported drive modes. UINT32, ro, default 160 (p. 21 to 31).
     ///
     /// The modes of operation that the drive knows, a bit for each.
     pub const fn supported_drive_modes(axis: Axis) -> Entry<C887, u32, ReadOnly> {
@@ -3270,7 +3270,7 @@ pub mod dictionary {
             motor_homing_method: [0; 6],
             software_version: [0; 4],
             buffered_parameters: BufferedParameters {
-                highest_subindex_supported: 2,
+                highest_subindex_supported: 4,
                 work_coordinates: 0,
                 tool_coordinates: 0,
                 direction_for_travelrange_calculation: 0,
@@ -3329,7 +3329,7 @@ pub mod dictionary {
         pub digital_inputs: i32,
         /// `0x60FF:00` Target velocity. INT32, rw, RxPDO, default 0, in mm/s or deg/s ÷ 100000.
         pub target_velocity: i32,
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0.
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 160.
         pub supported_drive_modes: u32,
         /// `0x67FF:00` Device profile number. UINT32, ro, default 0.
         pub device_profile_number: u32,
@@ -3356,7 +3356,7 @@ pub mod dictionary {
             following_error_actual_value: 0,
             digital_inputs: 0,
             target_velocity: 0,
-            supported_drive_modes: 0,
+            supported_drive_modes: 160,
             device_profile_number: 0,
         };
     }
@@ -3396,40 +3396,40 @@ pub mod dictionary {
     /// `0x1C12` Sync Manager 2 PDO assignment.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SyncManager2PdoAssignment {
-        /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 6.
+        /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
         pub highest_subindex_supported: u8,
-        /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1600.
+        /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1600.
         pub entry_1: u16,
-        /// `0x1C12:02` SubIndex 002. UINT16, rw, written at PS, default 0x1610.
+        /// `0x1C12:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1610.
         pub entry_2: u16,
-        /// `0x1C12:03` SubIndex 003. UINT16, rw, written at PS, default 0x1620.
+        /// `0x1C12:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1620.
         pub entry_3: u16,
-        /// `0x1C12:04` SubIndex 004. UINT16, rw, written at PS, default 0x1630.
+        /// `0x1C12:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1630.
         pub entry_4: u16,
-        /// `0x1C12:05` SubIndex 005. UINT16, rw, written at PS, default 0x1640.
+        /// `0x1C12:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1640.
         pub entry_5: u16,
-        /// `0x1C12:06` SubIndex 006. UINT16, rw, written at PS, default 0x1650.
+        /// `0x1C12:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1650.
         pub entry_6: u16,
-        /// `0x1C12:07` SubIndex 007. UINT16, rw, written at PS, default 0.
+        /// `0x1C12:07` SubIndex 007. UINT16, rw, written in PreOP only, default 0.
         pub entry_7: u16,
     }
 
     /// `0x1C13` Sync Manager 3 PDO assignment.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SyncManager3PdoAssignment {
-        /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 6.
+        /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
         pub highest_subindex_supported: u8,
-        /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1A00.
+        /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1A00.
         pub entry_1: u16,
-        /// `0x1C13:02` SubIndex 002. UINT16, rw, written at PS, default 0x1A10.
+        /// `0x1C13:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1A10.
         pub entry_2: u16,
-        /// `0x1C13:03` SubIndex 003. UINT16, rw, written at PS, default 0x1A20.
+        /// `0x1C13:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1A20.
         pub entry_3: u16,
-        /// `0x1C13:04` SubIndex 004. UINT16, rw, written at PS, default 0x1A30.
+        /// `0x1C13:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1A30.
         pub entry_4: u16,
-        /// `0x1C13:05` SubIndex 005. UINT16, rw, written at PS, default 0x1A40.
+        /// `0x1C13:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1A40.
         pub entry_5: u16,
-        /// `0x1C13:06` SubIndex 006. UINT16, rw, written at PS, default 0x1A50.
+        /// `0x1C13:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1A50.
         pub entry_6: u16,
     }
 
@@ -3498,8 +3498,8 @@ pub mod dictionary {
     /// `0x5010` Buffered parameters.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct BufferedParameters {
-        /// `0x5010:00` Highest subindex supported. INT32, ro, default 2.
-        pub highest_subindex_supported: i32,
+        /// `0x5010:00` Highest subindex supported. UINT8, ro, default 4.
+        pub highest_subindex_supported: u8,
         /// `0x5010:01` Work coordinates. INT32, rw, default 0.
         pub work_coordinates: i32,
         /// `0x5010:02` Tool coordinates. INT32, rw, default 0.
@@ -3522,9 +3522,9 @@ pub mod dictionary {
     /// `0x60C2` Interpolation time period.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct InterpolationTimePeriod {
-        /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS, default 1.
+        /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only, default 1.
         pub interpolation_time_period_value: u8,
-        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS, default -3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only, default -3.
         pub interpolation_time_index: i8,
     }
 
@@ -3685,7 +3685,7 @@ pub mod dictionary {
     impl BufferedParameters {
         fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
             match item {
-                0 => Some(sdo::Slot::I32(&mut self.highest_subindex_supported)),
+                0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
                 1 => Some(sdo::Slot::I32(&mut self.work_coordinates)),
                 2 => Some(sdo::Slot::I32(&mut self.tool_coordinates)),
                 3 => Some(sdo::Slot::I32(&mut self.direction_for_travelrange_calculation)),
@@ -4106,7 +4106,7 @@ pub mod dictionary {
                 0,
                 15,
                 &[
-                    entry(0, 0, DataType::INTEGER32, 32, RO),
+                    entry(0, 0, DataType::UNSIGNED8, 8, RO),
                     entry(1, 1, DataType::INTEGER32, 32, RW),
                     entry(2, 2, DataType::INTEGER32, 32, RW),
                     entry(3, 3, DataType::INTEGER32, 32, RW),

@@ -768,10 +768,10 @@ pub mod s300 {
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadWrite> = Entry::new(0x1C12, 0);
 
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1702.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
             pub const ENTRY_1: Entry<S300, u16, ReadWrite> = Entry::new(0x1C12, 1);
         }
 
@@ -784,10 +784,10 @@ pub mod s300 {
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadWrite> = Entry::new(0x1C13, 0);
 
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub const ENTRY_1: Entry<S300, u16, ReadWrite> = Entry::new(0x1C13, 1);
         }
 
@@ -1518,10 +1518,10 @@ pub mod s300 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
@@ -4108,7 +4108,7 @@ pub mod s300 {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// *Not ready to switch on* `x0xx 0000`: The amplifier is not ready: it still starts, or it has a
     /// fault. (3.4.1, 3.4.3)
     ///
     /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
@@ -4120,19 +4120,19 @@ pub mod s300 {
     ///
     /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
-    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
     /// stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
-        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
         (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
         (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
         (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
@@ -4943,18 +4943,18 @@ pub mod s300 {
         /// `0x1C12` Sync manager 2 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1702.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
             pub entry_1: u16,
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub entry_1: u16,
         }
 
@@ -5023,9 +5023,9 @@ pub mod s300 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -6245,10 +6245,10 @@ pub mod s400 {
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadWrite> = Entry::new(0x1C12, 0);
 
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1701.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
             pub const ENTRY_1: Entry<S400, u16, ReadWrite> = Entry::new(0x1C12, 1);
         }
 
@@ -6261,10 +6261,10 @@ pub mod s400 {
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadWrite> = Entry::new(0x1C13, 0);
 
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub const ENTRY_1: Entry<S400, u16, ReadWrite> = Entry::new(0x1C13, 1);
         }
 
@@ -6995,10 +6995,10 @@ pub mod s400 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
@@ -8798,7 +8798,7 @@ pub mod s400 {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// *Not ready to switch on* `x0xx 0000`: The amplifier is not ready: it still starts, or it has a
     /// fault. (3.4.1, 3.4.3)
     ///
     /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
@@ -8810,19 +8810,19 @@ pub mod s400 {
     ///
     /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
-    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
     /// stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
-        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
         (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
         (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
         (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
@@ -9609,18 +9609,18 @@ pub mod s400 {
         /// `0x1C12` Sync manager 2 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1701.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
             pub entry_1: u16,
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub entry_1: u16,
         }
 
@@ -9689,9 +9689,9 @@ pub mod s400 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -10801,10 +10801,10 @@ pub mod s600 {
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadWrite> = Entry::new(0x1C12, 0);
 
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1701.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
             pub const ENTRY_1: Entry<S600, u16, ReadWrite> = Entry::new(0x1C12, 1);
         }
 
@@ -10817,10 +10817,10 @@ pub mod s600 {
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadWrite> = Entry::new(0x1C13, 0);
 
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub const ENTRY_1: Entry<S600, u16, ReadWrite> = Entry::new(0x1C13, 1);
         }
 
@@ -11551,10 +11551,10 @@ pub mod s600 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
@@ -13354,7 +13354,7 @@ pub mod s600 {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// *Not ready to switch on* `x0xx 0000`: The amplifier is not ready: it still starts, or it has a
     /// fault. (3.4.1, 3.4.3)
     ///
     /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
@@ -13366,19 +13366,19 @@ pub mod s600 {
     ///
     /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
-    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
     /// stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
-        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
         (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
         (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
         (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
@@ -14165,18 +14165,18 @@ pub mod s600 {
         /// `0x1C12` Sync manager 2 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1701.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
             pub entry_1: u16,
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub entry_1: u16,
         }
 
@@ -14245,9 +14245,9 @@ pub mod s600 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -15625,10 +15625,10 @@ pub mod s700 {
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadWrite> = Entry::new(0x1C12, 0);
 
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1702.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
             pub const ENTRY_1: Entry<S700, u16, ReadWrite> = Entry::new(0x1C12, 1);
         }
 
@@ -15641,10 +15641,10 @@ pub mod s700 {
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadWrite> = Entry::new(0x1C13, 0);
 
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub const ENTRY_1: Entry<S700, u16, ReadWrite> = Entry::new(0x1C13, 1);
         }
 
@@ -16375,10 +16375,10 @@ pub mod s700 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
         }
 
@@ -18975,7 +18975,7 @@ pub mod s700 {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x1xx 0000`: The amplifier is not ready: it still starts, or it has a
+    /// *Not ready to switch on* `x0xx 0000`: The amplifier is not ready: it still starts, or it has a
     /// fault. (3.4.1, 3.4.3)
     ///
     /// *Switch on disabled* `x1xx 0000`: The amplifier cannot be enabled through EtherCAT. (3.4.1, 3.4.3)
@@ -18987,19 +18987,19 @@ pub mod s700 {
     ///
     /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
-    /// *Quick stop active* `x00x 0011`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
+    /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault reaction active* `x00x 1111`: A fault was found, and the amplifier brakes on an emergency
     /// stop ramp. (3.4.1, 3.4.3)
     ///
     /// *Fault* `x01x 1000`: A fault is present; the drive stands and is disabled. (3.4.1, 3.4.3)
     pub const STATES: StatePatterns = StatePatterns(&[
-        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+        (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
         (State::ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
         (State::SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
         (State::OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-        (State::QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+        (State::QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
         (State::FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
         (State::Fault, Pattern { mask: 0x006F, value: 0x0028 }),
     ]);
@@ -19810,18 +19810,18 @@ pub mod s700 {
         /// `0x1C12` Sync manager 2 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written at PS, default 0x1702.
+            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
             pub entry_1: u16,
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written at PS, default 1.
+            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written at PS, default 0x1B01.
+            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
             pub entry_1: u16,
         }
 
@@ -19890,9 +19890,9 @@ pub mod s700 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written at PS.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written at PS.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 

@@ -22,16 +22,29 @@ pub struct Reading {
 /// Every bad table is reported, not only the first.
 pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut Diagnostics) -> Vec<Reading> {
     let trees = members(document, id, diagnostics);
-    let devices = trees.into_iter().map(|(id, tree, removed)| {
-        let tree = compose::over_profile(&tree, &document.profile);
-        let tree = compose::strip(tree, &removed, diagnostics);
-        let printed = Sections::new(&tree, sources, diagnostics).device(id.clone());
-        let held =
-            if diagnostics.has_errors() { None } else { errata::corrected(&tree, &printed, diagnostics) };
-        let corrected = held.map(|tree| Sections::new(&tree, sources, diagnostics).device(id));
-        Reading { printed, corrected }
-    });
-    devices.collect()
+    let mut nowhere = Vec::new();
+    let devices: Vec<Reading> = trees
+        .into_iter()
+        .map(|(id, tree, removed)| {
+            let tree = compose::over_profile(&tree, &document.profile);
+            let tree = compose::strip(tree, &removed, diagnostics);
+            let printed = Sections::new(&tree, sources, diagnostics).device(id.clone());
+            let held = match diagnostics.has_errors() {
+                true => None,
+                false => errata::corrected(&tree, &printed, &mut nowhere, diagnostics),
+            };
+            let corrected = held.map(|tree| Sections::new(&tree, sources, diagnostics).device(id));
+            Reading { printed, corrected }
+        })
+        .collect();
+    let everywhere = |fault: &&Diagnostic| {
+        let has = |reading: &&Reading| {
+            reading.printed.errata.iter().any(|it| fault.at() == Some(it.origin.value("at")))
+        };
+        nowhere.iter().filter(|other| other == fault).count() == devices.iter().filter(has).count()
+    };
+    diagnostics.extend(nowhere.iter().filter(everywhere).cloned());
+    devices
 }
 
 /// The tree of each member with the lists of what is taken out of it: the shared one and its own.

@@ -1,6 +1,8 @@
 //! The object dictionary: every entry of the model, and nothing else.
 
-use devc::model::{Access, Category, DataType, Device, Entry, Mappable, Object, Value as ModelValue};
+use devc::model::{
+    Access, Category, DataType, Device, Entry, Mappable, Object, Value as ModelValue, WriteWindow,
+};
 use devc_tests::esi_reader::{self, Flags, Value};
 
 use crate::subjects::{corners, subjects};
@@ -82,10 +84,14 @@ fn flags(entry: &Entry, category: Category) -> Flags {
     };
     Flags {
         access: access.to_owned(),
-        write_restrictions: entry.written.as_ref().map(|change| match change.as_str() {
-            "PS" => "PreOP".to_owned(),
-            "SO" => "SafeOP".to_owned(),
-            other => panic!("{}: no test knows what {other} restricts", entry.address),
+        // The words of the schema, EtherCATBase.xsd.
+        write_restrictions: entry.written.map(|window| match window {
+            WriteWindow::PreOp => "PreOP".to_owned(),
+            WriteWindow::PreOpSafeOp => "PreOP_SafeOP".to_owned(),
+            WriteWindow::PreOpOp => "PreOP_OP".to_owned(),
+            WriteWindow::SafeOp => "SafeOP".to_owned(),
+            WriteWindow::SafeOpOp => "SafeOP_OP".to_owned(),
+            WriteWindow::Op => "OP".to_owned(),
         }),
         category: Some(category.to_owned()),
         pdo_mapping: pdo_mapping.map(str::to_owned),

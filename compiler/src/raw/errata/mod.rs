@@ -18,15 +18,24 @@ use apart::apart;
 use locate::Locate;
 
 /// The tree as it holds; none if no erratum changes it or marks something in it.
-pub(super) fn corrected(tree: &Table, device: &RawDevice, diagnostics: &mut Diagnostics) -> Option<Table> {
+///
+/// A member of a family need not have what an erratum is about; what it lacks goes to `nowhere`.
+pub(super) fn corrected(
+    tree: &Table,
+    device: &RawDevice,
+    nowhere: &mut Vec<Diagnostic>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Table> {
     let mut corrected = None;
     for (erratum, number) in device.errata.iter().zip(0_u16..) {
-        let Some(path) = Locate { tree, device }.path(&erratum.at) else {
-            diagnostics.push(nowhere(erratum));
-            continue;
-        };
         let Some(says) = erratum.origin.node("says") else { continue };
         let holds = erratum.origin.node("holds");
+        let Some(path) = Locate { tree, device }.path(&erratum.at) else {
+            // What follows from other facts can be wrong, too, but is written nowhere.
+            let quotes = says.table().is_none_or(|says| !says.members.is_empty());
+            nowhere.extend((quotes || holds.is_some()).then(|| missing(erratum)));
+            continue;
+        };
         if let Some(fault) = quote::fault(tree, &path, erratum, says, holds) {
             diagnostics.push(fault);
             continue;
@@ -42,7 +51,7 @@ pub(super) fn corrected(tree: &Table, device: &RawDevice, diagnostics: &mut Diag
     corrected
 }
 
-fn nowhere(erratum: &Erratum) -> Diagnostic {
+fn missing(erratum: &Erratum) -> Diagnostic {
     let message = format!("nothing is described at {}", erratum.at);
     let at = erratum.origin.value("at");
     Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in this description")
