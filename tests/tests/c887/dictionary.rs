@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use devc::model::{Access, Address, Entry, Index, Object, Value};
+use devc::model::{Access, Address, Entry, Index, Object, Value, WriteWindow};
 use devc_tests::manual::{self, Sub, c887};
 
 use crate::{departs, device, rows};
@@ -95,8 +95,13 @@ fn access_is_as_printed() {
 #[test]
 fn times_of_writing_are_as_printed() {
     for (row, address) in entry_rows() {
-        let printed = if row.writing.is_empty() { None } else { Some(row.writing.replace("->", "")) };
-        assert_eq!(entry(address).written, printed, "{address}");
+        let window = entry(address).written;
+        match row.writing {
+            "" => assert_eq!(window, None, "{address}"),
+            // From Pre-Operational to Safe-Operational: before the change, in the state it starts from.
+            "P->S" => assert_eq!(window, Some(WriteWindow::PreOp), "{address}"),
+            other => panic!("{address}: {other} is no time of writing"),
+        }
     }
 }
 

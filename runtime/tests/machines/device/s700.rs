@@ -22,13 +22,15 @@ pub(crate) const MACHINE: Machine = Machine {
     },
 };
 
+/// But for two rows as printed: the manual has the same pattern for the first two states, which CiA 402 tells apart by
+/// bit 6; and it prints Quick stop active without bit 2, which the profile sets, so that either is taken.
 const STATES: StatePatterns = StatePatterns(&[
-    (NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
+    (NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
     (SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
     (ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
     (SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
     (OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-    (QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
+    (QuickStopActive, Pattern { mask: 0x006B, value: 0x0003 }),
     (FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
     (Fault, Pattern { mask: 0x006F, value: 0x0028 }),
 ]);
