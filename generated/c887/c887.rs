@@ -61,6 +61,12 @@ use ::devc_runtime::{Device, error};
 /// Models: C-887.53, C-887.531, C-887.532, C-887.533.
 ///
 /// Source: p. 21, 0x1018.
+///
+/// Contradicted, revision: The only number that the manual gives. The vendor's ESI file, which nobody
+/// here has, may have another. 0, until a device says otherwise.
+///
+/// Contradicted, serial: The digits in a row are no number of a device, and all devices would share it.
+/// Unknown; each device has its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct C887;
 
@@ -112,6 +118,9 @@ pub mod objects {
     /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (p. 21 to 31).
     ///
     /// The device profile in the lower half, what kind of device it describes in the upper half.
+    ///
+    /// Contradicted, default: The value is that of a device with one drive; CiA 301 has 0xFFFF in the upper
+    /// half for one with several. Six axes, each a CiA 402 drive.
     pub const DEVICE_TYPE: Entry<C887, u32, ReadOnly> = Entry::new(0x1000, 0);
 
     /// `0x1001:00` Error register. UINT8, ro, TxPDO, default 0 (p. 21 to 31).
@@ -304,12 +313,21 @@ pub mod objects {
         pub const ENTRY_1: Entry<C887, Entry1, ReadOnly> = Entry::new(0x1C00, 1);
 
         /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
+        ///
+        /// Corrected, default; the source says: default = 0x02 (1). So the profile has it. The decimal column
+        /// has 1 in all four rows.
         pub const ENTRY_2: Entry<C887, Entry2, ReadOnly> = Entry::new(0x1C00, 2);
 
         /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
+        ///
+        /// Corrected, default; the source says: default = 0x03 (1). So the profile has it. The decimal column
+        /// has 1 in all four rows.
         pub const ENTRY_3: Entry<C887, Entry3, ReadOnly> = Entry::new(0x1C00, 3);
 
         /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
+        ///
+        /// Corrected, default; the source says: default = 0x04 (1). So the profile has it. The decimal column
+        /// has 1 in all four rows.
         pub const ENTRY_4: Entry<C887, Entry4, ReadOnly> = Entry::new(0x1C00, 4);
     }
 
@@ -490,6 +508,9 @@ pub mod objects {
     /// How the inputs, the data for the master, keep time, and how well they do.
     ///
     /// Source: p. 4, p. 24.
+    ///
+    /// Contradicted, name: So the profile has it; the manual prints one name for both. 0x1C32 is about the
+    /// outputs, 0x1C33 about the inputs.
     pub mod sm_input_parameter {
         use super::*;
 
@@ -701,6 +722,12 @@ pub mod objects {
         use super::*;
 
         /// `0x5010:00` Highest subindex supported. UINT8, ro, default 4.
+        ///
+        /// Corrected, type; the source says: type = INT32. Subindex 0 of an array is always a UINT8, as it is
+        /// in all other objects of the manual; the row repeats the type of the entries.
+        ///
+        /// Corrected, default; the source says: default = 2. Entries 1 to 4 are listed, and the text uses 3 and
+        /// 4.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x5010, 0);
 
         /// `0x5010:01` Work coordinates. INT32, rw, default 0.
@@ -917,6 +944,8 @@ pub mod objects {
     /// The least and the greatest position that may be demanded or reached.
     ///
     /// Source: p. 21 to 31.
+    ///
+    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     pub mod software_position_limit {
         use super::*;
 
@@ -926,6 +955,8 @@ pub mod objects {
         }
 
         /// `0x607D:01` Min position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
+        ///
+        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn min_position_limit(
             axis: Axis,
         ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
@@ -933,6 +964,8 @@ pub mod objects {
         }
 
         /// `0x607D:02` Max position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
+        ///
+        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn max_position_limit(
             axis: Axis,
         ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
@@ -979,6 +1012,8 @@ pub mod objects {
     /// `0x60B0:00` Position offset. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
     ///
     /// Added to the target position in cyclic synchronous position mode.
+    ///
+    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
         axis.entry(0x60B0, 0x800, 0).measured_in(units::position(axis))
     }
@@ -1040,6 +1075,8 @@ pub mod objects {
     ///
     /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
     /// units.
+    ///
+    /// Assumed, unit: the manual gives none for this object; it scales velocities as positions, p. 14.
     pub const fn target_velocity(
         axis: Axis,
     ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Velocity, AngularVelocity>> {
@@ -1049,6 +1086,9 @@ pub mod objects {
     /// `0x6502:00` Supported drive modes. UINT32, ro, default 160 (p. 21 to 31).
     ///
     /// The modes of operation that the drive knows, a bit for each.
+    ///
+    /// Corrected, default; the source says: default = 0. Modes 6 and 8 are described at length and named as
+    /// those that there are. The device may fill the value in when it starts.
     pub const fn supported_drive_modes(axis: Axis) -> Entry<C887, u32, ReadOnly> {
         axis.entry(0x6502, 0x800, 0)
     }
@@ -1057,6 +1097,9 @@ pub mod objects {
     ///
     /// What 0x1000 says of a device with one drive: the profile and the kind of drive, here for each drive
     /// of a device with several.
+    ///
+    /// Contradicted, default: 0x1000 and the whole text say CiA 402; the manual calls the object device
+    /// profile number, and 0 names no profile. Profile 402 on every axis.
     pub const fn device_profile_number(axis: Axis) -> Entry<C887, u32, ReadOnly> {
         axis.entry(0x67FF, 0x800, 0)
     }
@@ -1771,6 +1814,10 @@ impl VendorCode {
 /// Not together with `0x1601`.
 ///
 /// Source: p. 21 to 24.
+///
+/// Assumed, mode: from its name.
+///
+/// Assumed, excludes: both would set the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1600 {
     /// `0x6040:00` Controlword.
@@ -1846,6 +1893,11 @@ impl Pdo for RxPdo1600 {
 /// Not together with `0x1600`.
 ///
 /// Source: p. 21 to 24.
+///
+/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. No profile position
+/// mode.
+///
+/// Assumed, excludes: both would set the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1601 {
     /// `0x6040:00` Controlword.
@@ -1937,6 +1989,10 @@ impl Pdo for RxPdo1601 {
 /// Not together with `0x1A01`.
 ///
 /// Source: p. 21 to 24.
+///
+/// Assumed, mode: from its name.
+///
+/// Assumed, excludes: both would send the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A00 {
     /// `0x6041:00` Statusword.
@@ -2018,6 +2074,11 @@ impl Pdo for TxPdo1A00 {
 /// Not together with `0x1A00`.
 ///
 /// Source: p. 21 to 24.
+///
+/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. No profile position
+/// mode.
+///
+/// Assumed, excludes: both would send the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A01 {
     /// `0x6041:00` Statusword.
@@ -2091,6 +2152,12 @@ impl Pdo for TxPdo1A01 {
 /// The outputs of the master with the PDOs assigned by default, 42 bytes.
 ///
 /// Source: p. 21 to 24.
+///
+/// Assumed, address: no source gives it; behind the mailboxes.
+///
+/// Assumed, max-size: six PP PDOs of 15 bytes.
+///
+/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outputs {
     /// RxPDO - CSP of each axis, in order.
@@ -2158,6 +2225,12 @@ impl ProcessImage for Outputs {
 /// The inputs of the master with the PDOs assigned by default, 66 bytes.
 ///
 /// Source: p. 21 to 24.
+///
+/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+///
+/// Assumed, max-size: six CSP PDOs of 11 bytes.
+///
+/// Assumed, control: three buffers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inputs {
     /// TxPDO - CSP of each axis, in order.
@@ -2225,6 +2298,12 @@ impl ProcessImage for Inputs {
 }
 
 /// Source: p. 21 to 24.
+///
+/// Assumed, address: no source gives it; behind the mailboxes.
+///
+/// Assumed, max-size: six PP PDOs of 15 bytes.
+///
+/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
 impl Carries<Rx> for C887 {
     const SYNC_MANAGER: SyncManager = SyncManager {
         default: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650],
@@ -2244,6 +2323,12 @@ impl Carries<Rx> for C887 {
 }
 
 /// Source: p. 21 to 24.
+///
+/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+///
+/// Assumed, max-size: six CSP PDOs of 11 bytes.
+///
+/// Assumed, control: three buffers.
 impl Carries<Tx> for C887 {
     const SYNC_MANAGER: SyncManager = SyncManager {
         default: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
@@ -2288,6 +2373,9 @@ pub mod configurations {
     /// Cycle time: 1 ms.
     ///
     /// Source: p. 4, p. 11, p. 21 to 24, p. 26.
+    ///
+    /// Assumed, cycle-time: the shortest, which is the default of 0x60C2; whether another has to be written
+    /// there is not said.
     pub const CSP: [Write; 18] = [
         Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
         Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),
@@ -2519,6 +2607,9 @@ pub mod commands {
     /// Makes the hexapod follow its set values.
     ///
     /// Source: p. 8, p. 12.
+    ///
+    /// Corrected, transitions; the source says: transitions = 4, 16. Transition 16 is said not to be
+    /// supported, and the table of transitions ends at 15.
     pub const ENABLE_OPERATION: Command = Command {
         name: "enable operation",
         pattern: Pattern { mask: 0x008F, value: 0x000F },
@@ -3047,6 +3138,9 @@ pub mod units {
     /// The device holds the factor in 0x6093:00.
     ///
     /// Source: p. 14.
+    ///
+    /// Assumed, symbol: the manual says that velocities are scaled as positions are, but not per which
+    /// time.
     pub const VELOCITY_MM_PER_S: Unit<C887, Velocity> = Unit::of::<10, 1>();
 
     /// Velocity in process data of U, V, W: a step is 1/100000 deg/s.
@@ -3054,6 +3148,9 @@ pub mod units {
     /// The device holds the factor in 0x6093:00.
     ///
     /// Source: p. 14.
+    ///
+    /// Assumed, symbol: the manual says that velocities are scaled as positions are, but not per which
+    /// time.
     pub const VELOCITY_DEG_PER_S: Unit<C887, AngularVelocity> = Unit::of::<10_000, 1>();
 
     /// Velocity in process data of an axis: a step is 1/100000 mm/s on X, Y, Z, 1/100000 deg/s on U, V, W.
@@ -3061,6 +3158,9 @@ pub mod units {
     /// The device holds the factor in 0x6093:00.
     ///
     /// Source: p. 14.
+    ///
+    /// Assumed, symbol: the manual says that velocities are scaled as positions are, but not per which
+    /// time.
     pub const fn velocity(axis: Axis) -> AxisUnit<C887, Velocity, AngularVelocity> {
         match axis {
             Axis::X | Axis::Y | Axis::Z => Motion::Linear(VELOCITY_MM_PER_S),
@@ -3081,21 +3181,29 @@ pub mod units {
     /// Velocity in SDOs: a step is 1 µm/s.
     ///
     /// Source: p. 14, p. 17.
+    ///
+    /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_VELOCITY: Unit<C887, Velocity> = Unit::of::<1_000, 1>();
 
     /// Angular velocity in SDOs: a step is 1/1000 deg/s.
     ///
     /// Source: p. 14, p. 17.
+    ///
+    /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_ANGULAR_VELOCITY: Unit<C887, AngularVelocity> = Unit::of::<1_000_000, 1>();
 
     /// Acceleration in SDOs: a step is 1 µm/s².
     ///
     /// Source: p. 14, p. 17.
+    ///
+    /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_ACCELERATION: Unit<C887, Acceleration> = Unit::of::<1_000, 1>();
 
     /// Angular acceleration in SDOs: a step is 1/1000 deg/s².
     ///
     /// Source: p. 14, p. 17.
+    ///
+    /// Assumed, symbol: the manual does not say per which time.
     pub const SDO_ANGULAR_ACCELERATION: Unit<C887, AngularAcceleration> = Unit::of::<1_000_000, 1>();
 }
 

@@ -51,6 +51,14 @@ pub mod double {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Source: 5.3.2, 5.1.1.1.
+    ///
+    /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
+    ///
+    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
+    ///
+    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
+    /// for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct Double;
 
@@ -99,21 +107,32 @@ pub mod double {
         /// `0x1000:00` Device type. UINT32, ro, default 0xFFFF0192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: no source lists it; several drives after CiA 402.
         pub const DEVICE_TYPE: Entry<Double, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Double, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<Double, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<Double, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -130,16 +149,25 @@ pub mod double {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const VENDOR_ID: Entry<Double, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 2.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const PRODUCT_CODE: Entry<Double, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 1.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const REVISION_NUMBER: Entry<Double, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -476,11 +504,15 @@ pub mod double {
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const fn status_word_user_defined(axis: Axis) -> Entry<Double, u16, ReadOnly, Tx> {
             axis.entry(0x2043, 0x8000, 0)
         }
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const fn status_word_2(axis: Axis) -> Entry<Double, u16, ReadOnly, Tx> {
             axis.entry(0x28C9, 0x8000, 0)
         }
@@ -1155,6 +1187,9 @@ pub mod double {
             use super::*;
 
             /// `0x60C4:00` Highest subindex supported. UINT8, ro, default 5.
+            ///
+            /// Contradicted, default: The tables of both axes list A603\[0\] to A603\[5\], as the profile does;
+            /// none has a function, so a master that stops at 5 loses nothing. 6 entries are listed.
             pub const fn highest_subindex_supported(axis: Axis) -> Entry<Double, u8, ReadOnly> {
                 axis.entry(0x60C4, 0x800, 0)
             }
@@ -1418,6 +1453,8 @@ pub mod double {
         /// In the standard mapping, but missing from the tables of objects.
         ///
         /// Source: 7.1.1, Tab. 30, Tab. 31.
+        ///
+        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
         pub mod digital_outputs {
             use super::*;
 
@@ -1427,6 +1464,8 @@ pub mod double {
             }
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
+            ///
+            /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
             pub const fn physical_outputs(axis: Axis) -> Entry<Double, PhysicalOutputs, ReadWrite, Rx> {
                 axis.entry(0x60FE, 0x800, 1)
             }
@@ -1444,6 +1483,9 @@ pub mod double {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: the table gives no value; these are the modes of 6.6, jog, which has no bit in the
+        /// profile, left out.
         pub const fn supported_drive_modes(axis: Axis) -> Entry<Double, SupportedDriveModes, ReadOnly> {
             axis.entry(0x6502, 0x800, 0)
         }
@@ -1866,6 +1908,18 @@ pub mod double {
     /// for measurement 2 and I126.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -2024,6 +2078,12 @@ pub mod double {
     /// `0x60B9` Touch probe status.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -2080,6 +2140,8 @@ pub mod double {
     /// `0x60F2` Positioning option code.
     ///
     /// Source: Tab. 15, Tab. 28.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -2246,6 +2308,8 @@ pub mod double {
     /// `0x6502` Supported drive modes.
     ///
     /// Source: Tab. 34.
+    ///
+    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -2993,6 +3057,14 @@ pub mod double {
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Receive process data of each axis, in order.
@@ -3058,6 +3130,14 @@ pub mod double {
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Transmit process data of each axis, in order.
@@ -3123,6 +3203,14 @@ pub mod double {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     impl Carries<Rx> for Double {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1600, 0x1601],
@@ -3135,6 +3223,14 @@ pub mod double {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     impl Carries<Tx> for Double {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1A00, 0x1A01],
@@ -4232,6 +4328,8 @@ pub mod double {
         /// INT32.
         ///
         /// Source: 6.2, 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
         /// Acceleration: a step is 1 inc/s² / 10^A311.
@@ -4239,6 +4337,8 @@ pub mod double {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second squared.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
         /// Jerk: a step is 1 inc/s³ / 10^A311.
@@ -4246,6 +4346,8 @@ pub mod double {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second cubed.
         pub const JERK: Scale = Scale::of::<1, 1>();
     }
 
@@ -5685,6 +5787,14 @@ pub mod single {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Source: 5.3.2, 5.1.1.1.
+    ///
+    /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
+    ///
+    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
+    ///
+    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
+    /// for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct Single;
 
@@ -5702,21 +5812,32 @@ pub mod single {
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: no source lists it; a servo drive after CiA 402.
         pub const DEVICE_TYPE: Entry<Single, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Single, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<Single, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<Single, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -5733,16 +5854,25 @@ pub mod single {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const VENDOR_ID: Entry<Single, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 1.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const PRODUCT_CODE: Entry<Single, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 1.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const REVISION_NUMBER: Entry<Single, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -6033,9 +6163,13 @@ pub mod single {
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const STATUS_WORD_USER_DEFINED: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x2043, 0);
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const STATUS_WORD_2: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x28C9, 0);
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -6566,6 +6700,9 @@ pub mod single {
             use super::*;
 
             /// `0x60C4:00` Highest subindex supported. UINT8, ro, default 5.
+            ///
+            /// Contradicted, default: The tables of both axes list A603\[0\] to A603\[5\], as the profile does;
+            /// none has a function, so a master that stops at 5 loses nothing. 6 entries are listed.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60C4, 0);
 
             /// `0x60C4:01` Maximum buffer size. UINT32, ro.
@@ -6773,6 +6910,8 @@ pub mod single {
         /// In the standard mapping, but missing from the tables of objects.
         ///
         /// Source: 7.1.1, Tab. 30, Tab. 31.
+        ///
+        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
         pub mod digital_outputs {
             use super::*;
 
@@ -6780,6 +6919,8 @@ pub mod single {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60FE, 0);
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
+            ///
+            /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
             pub const PHYSICAL_OUTPUTS: Entry<Single, PhysicalOutputs, ReadWrite, Rx> = Entry::new(0x60FE, 1);
         }
 
@@ -6793,6 +6934,9 @@ pub mod single {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: the table gives no value; these are the modes of 6.6, jog, which has no bit in the
+        /// profile, left out.
         pub const SUPPORTED_DRIVE_MODES: Entry<Single, SupportedDriveModes, ReadOnly> = Entry::new(0x6502, 0);
     }
 
@@ -7213,6 +7357,18 @@ pub mod single {
     /// for measurement 2 and I126.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -7371,6 +7527,12 @@ pub mod single {
     /// `0x60B9` Touch probe status.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -7427,6 +7589,8 @@ pub mod single {
     /// `0x60F2` Positioning option code.
     ///
     /// Source: Tab. 15, Tab. 28.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -7593,6 +7757,8 @@ pub mod single {
     /// `0x6502` Supported drive modes.
     ///
     /// Source: Tab. 34.
+    ///
+    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -8308,6 +8474,14 @@ pub mod single {
     /// The outputs of the master with the PDOs assigned by default, 23 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Receive process data.
@@ -8359,6 +8533,14 @@ pub mod single {
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Transmit process data.
@@ -8408,6 +8590,14 @@ pub mod single {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     impl Carries<Rx> for Single {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1600],
@@ -8420,6 +8610,14 @@ pub mod single {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     impl Carries<Tx> for Single {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1A00],
@@ -9506,6 +9704,8 @@ pub mod single {
         /// INT32.
         ///
         /// Source: 6.2, 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
         /// Acceleration: a step is 1 inc/s² / 10^A311.
@@ -9513,6 +9713,8 @@ pub mod single {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second squared.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
         /// Jerk: a step is 1 inc/s³ / 10^A311.
@@ -9520,6 +9722,8 @@ pub mod single {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second cubed.
         pub const JERK: Scale = Scale::of::<1, 1>();
     }
 
@@ -10898,6 +11102,14 @@ pub mod double_hires {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Source: 5.3.2, 5.1.1.1.
+    ///
+    /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
+    ///
+    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
+    ///
+    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
+    /// for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct DoubleHires;
 
@@ -10946,21 +11158,32 @@ pub mod double_hires {
         /// `0x1000:00` Device type. UINT32, ro, default 0xFFFF0192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: no source lists it; several drives after CiA 402.
         pub const DEVICE_TYPE: Entry<DoubleHires, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<DoubleHires, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<DoubleHires, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<DoubleHires, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -10977,16 +11200,25 @@ pub mod double_hires {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const VENDOR_ID: Entry<DoubleHires, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 2.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const PRODUCT_CODE: Entry<DoubleHires, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 2.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const REVISION_NUMBER: Entry<DoubleHires, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -11328,11 +11560,15 @@ pub mod double_hires {
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const fn status_word_user_defined(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly, Tx> {
             axis.entry(0x2043, 0x8000, 0)
         }
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const fn status_word_2(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly, Tx> {
             axis.entry(0x28C9, 0x8000, 0)
         }
@@ -12025,6 +12261,9 @@ pub mod double_hires {
             use super::*;
 
             /// `0x60C4:00` Highest subindex supported. UINT8, ro, default 5.
+            ///
+            /// Contradicted, default: The tables of both axes list A603\[0\] to A603\[5\], as the profile does;
+            /// none has a function, so a master that stops at 5 loses nothing. 6 entries are listed.
             pub const fn highest_subindex_supported(axis: Axis) -> Entry<DoubleHires, u8, ReadOnly> {
                 axis.entry(0x60C4, 0x800, 0)
             }
@@ -12330,6 +12569,8 @@ pub mod double_hires {
         /// In the standard mapping, but missing from the tables of objects.
         ///
         /// Source: 7.1.1, Tab. 30, Tab. 31.
+        ///
+        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
         pub mod digital_outputs {
             use super::*;
 
@@ -12339,6 +12580,8 @@ pub mod double_hires {
             }
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
+            ///
+            /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
             pub const fn physical_outputs(axis: Axis) -> Entry<DoubleHires, PhysicalOutputs, ReadWrite, Rx> {
                 axis.entry(0x60FE, 0x800, 1)
             }
@@ -12356,6 +12599,9 @@ pub mod double_hires {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: the table gives no value; these are the modes of 6.6, jog, which has no bit in the
+        /// profile, left out.
         pub const fn supported_drive_modes(axis: Axis) -> Entry<DoubleHires, SupportedDriveModes, ReadOnly> {
             axis.entry(0x6502, 0x800, 0)
         }
@@ -12778,6 +13024,18 @@ pub mod double_hires {
     /// for measurement 2 and I126.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -12936,6 +13194,12 @@ pub mod double_hires {
     /// `0x60B9` Touch probe status.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -12992,6 +13256,8 @@ pub mod double_hires {
     /// `0x60F2` Positioning option code.
     ///
     /// Source: Tab. 15, Tab. 28.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -13158,6 +13424,8 @@ pub mod double_hires {
     /// `0x6502` Supported drive modes.
     ///
     /// Source: Tab. 34.
+    ///
+    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -13905,6 +14173,14 @@ pub mod double_hires {
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Receive process data of each axis, in order.
@@ -13970,6 +14246,14 @@ pub mod double_hires {
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Transmit process data of each axis, in order.
@@ -14035,6 +14319,14 @@ pub mod double_hires {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     impl Carries<Rx> for DoubleHires {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1600, 0x1601],
@@ -14047,6 +14339,14 @@ pub mod double_hires {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     impl Carries<Tx> for DoubleHires {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1A00, 0x1A01],
@@ -15143,6 +15443,8 @@ pub mod double_hires {
         /// INT32.
         ///
         /// Source: 6.2, 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
         /// Acceleration: a step is 1 user unit/s² / 10^A311.
@@ -15150,6 +15452,8 @@ pub mod double_hires {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second squared.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
         /// Jerk: a step is 1 user unit/s³ / 10^A311.
@@ -15157,6 +15461,8 @@ pub mod double_hires {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second cubed.
         pub const JERK: Scale = Scale::of::<1, 1>();
     }
 
@@ -16498,6 +16804,14 @@ pub mod single_hires {
     /// Models: PMC SC6, PMC SI6.
     ///
     /// Source: 5.3.2, 5.1.1.1.
+    ///
+    /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
+    /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
+    ///
+    /// Assumed, product-code: no source gives it: 2 stands for two axes, 1 for one.
+    ///
+    /// Assumed, revision: no source gives it, only that it changes with the template (5.1.1.1): 1 stands
+    /// for CiA 402, 2 for HiRes Motion.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct SingleHires;
 
@@ -16515,21 +16829,32 @@ pub mod single_hires {
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: no source lists it; a servo drive after CiA 402.
         pub const DEVICE_TYPE: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<SingleHires, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<SingleHires, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: no source lists it; usual with CoE, and as long as the longest text of the drive,
+        /// Tab. 2.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<SingleHires, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -16546,16 +16871,25 @@ pub mod single_hires {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 185.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const VENDOR_ID: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 1.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const PRODUCT_CODE: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 2.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: no source lists it; every slave with CoE has it, and the values are those of the
+            /// identity.
             pub const REVISION_NUMBER: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro.
@@ -16851,9 +17185,13 @@ pub mod single_hires {
         /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO (6.1.4, 7.1.2, Tab. 32, Tab. 33).
         ///
         /// Sixteen bits, each with the source that A66 gives it.
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const STATUS_WORD_USER_DEFINED: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x2043, 0);
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
+        ///
+        /// Assumed, access: the manual gives none; it is sent.
         pub const STATUS_WORD_2: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x28C9, 0);
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -17380,6 +17718,9 @@ pub mod single_hires {
             use super::*;
 
             /// `0x60C4:00` Highest subindex supported. UINT8, ro, default 5.
+            ///
+            /// Contradicted, default: The tables of both axes list A603\[0\] to A603\[5\], as the profile does;
+            /// none has a function, so a master that stops at 5 loses nothing. 6 entries are listed.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60C4, 0);
 
             /// `0x60C4:01` Maximum buffer size. UINT32, ro.
@@ -17586,6 +17927,8 @@ pub mod single_hires {
         /// In the standard mapping, but missing from the tables of objects.
         ///
         /// Source: 7.1.1, Tab. 30, Tab. 31.
+        ///
+        /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
         pub mod digital_outputs {
             use super::*;
 
@@ -17593,6 +17936,8 @@ pub mod single_hires {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60FE, 0);
 
             /// `0x60FE:01` Physical outputs. DWORD, rw, RxPDO.
+            ///
+            /// Assumed, pdo: its tables of objects do not list it; it is mapped for receiving.
             pub const PHYSICAL_OUTPUTS: Entry<SingleHires, PhysicalOutputs, ReadWrite, Rx> =
                 Entry::new(0x60FE, 1);
         }
@@ -17607,6 +17952,9 @@ pub mod single_hires {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: the table gives no value; these are the modes of 6.6, jog, which has no bit in the
+        /// profile, left out.
         pub const SUPPORTED_DRIVE_MODES: Entry<SingleHires, SupportedDriveModes, ReadOnly> =
             Entry::new(0x6502, 0);
     }
@@ -18028,6 +18376,18 @@ pub mod single_hires {
     /// for measurement 2 and I126.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
+    /// the profile's.
+    ///
+    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
+    /// are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -18186,6 +18546,12 @@ pub mod single_hires {
     /// `0x60B9` Touch probe status.
     ///
     /// Source: 6.11.
+    ///
+    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    ///
+    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -18242,6 +18608,8 @@ pub mod single_hires {
     /// `0x60F2` Positioning option code.
     ///
     /// Source: Tab. 15, Tab. 28.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -18408,6 +18776,8 @@ pub mod single_hires {
     /// `0x6502` Supported drive modes.
     ///
     /// Source: Tab. 34.
+    ///
+    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -19123,6 +19493,14 @@ pub mod single_hires {
     /// The outputs of the master with the PDOs assigned by default, 23 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Receive process data.
@@ -19174,6 +19552,14 @@ pub mod single_hires {
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
     ///
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Transmit process data.
@@ -19223,6 +19609,14 @@ pub mod single_hires {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind the mailboxes.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers with watchdog.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C12 holds.
     impl Carries<Rx> for SingleHires {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1600],
@@ -19235,6 +19629,14 @@ pub mod single_hires {
     }
 
     /// Source: 5.1.3, 7.1.
+    ///
+    /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+    ///
+    /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
+    ///
+    /// Assumed, control: three buffers.
+    ///
+    /// Assumed, pdos: the manual says one for each axis and direction, but not what 0x1C13 holds.
     impl Carries<Tx> for SingleHires {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1A00],
@@ -20320,6 +20722,8 @@ pub mod single_hires {
         /// INT32.
         ///
         /// Source: 6.2, 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second.
         pub const VELOCITY: Scale = Scale::of::<1, 1>();
 
         /// Acceleration: a step is 1 user unit/s² / 10^A311.
@@ -20327,6 +20731,8 @@ pub mod single_hires {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second squared.
         pub const ACCELERATION: Scale = Scale::of::<1, 1>();
 
         /// Jerk: a step is 1 user unit/s³ / 10^A311.
@@ -20334,6 +20740,8 @@ pub mod single_hires {
         /// The parameter A311 is a number of decimals.
         ///
         /// Source: 6.4.3.3.
+        ///
+        /// Assumed, symbol: the manual gives none; the unit of position in a second cubed.
         pub const JERK: Scale = Scale::of::<1, 1>();
     }
 

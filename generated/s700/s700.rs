@@ -49,6 +49,12 @@ pub mod s300 {
     ///
     /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
     /// vendor id is that of the AKD.
+    ///
+    /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
+    /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
+    /// S600 is not known.
+    ///
+    /// Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S300;
 
@@ -66,6 +72,8 @@ pub mod s300 {
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S300, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
@@ -86,16 +94,22 @@ pub mod s300 {
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300" (3.5, 3.8, 3.9).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S300, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S300, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<S300, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -112,21 +126,29 @@ pub mod s300 {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 106.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const VENDOR_ID: Entry<S300, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 0x03000600.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const PRODUCT_CODE: Entry<S300, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 0.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const REVISION_NUMBER: Entry<S300, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro, default 0.
             ///
             /// The single device; 0 if it has no number of its own.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const SERIAL_NUMBER: Entry<S300, u32, ReadOnly> = Entry::new(0x1018, 4);
         }
 
@@ -1234,6 +1256,8 @@ pub mod s300 {
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
@@ -1496,6 +1520,9 @@ pub mod s300 {
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
+        ///
+        /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
+        /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
         pub const MOTION_TASK_PROFILE_NUMBER: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
@@ -1542,6 +1569,9 @@ pub mod s300 {
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
+        ///
+        /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
+        /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
         pub const DIGITAL_IO: Entry<S300, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
@@ -1555,6 +1585,8 @@ pub mod s300 {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: not in the manual; the four modes of chapter 3.8.
         pub const SUPPORTED_DRIVE_MODES: Entry<S300, u32, ReadOnly> = Entry::new(0x6502, 0);
     }
 
@@ -2802,6 +2834,9 @@ pub mod s300 {
     /// Goes with 0x1B0A.
     ///
     /// Source: 3.5.
+    ///
+    /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
+    /// 0x1B0A are swapped.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo170A {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3659,6 +3694,9 @@ pub mod s300 {
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
     /// Source: 3.5.
+    ///
+    /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
+    /// and 0x1B0A are swapped.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0A {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3966,6 +4004,8 @@ pub mod s300 {
     /// The outputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Velocity interface.
@@ -4001,6 +4041,13 @@ pub mod s300 {
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -4034,6 +4081,8 @@ pub mod s300 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     impl Carries<Rx> for S300 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1702],
@@ -4046,6 +4095,13 @@ pub mod s300 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S300 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -4085,6 +4141,11 @@ pub mod s300 {
         /// Cycle time: 2 ms.
         ///
         /// Source: 3.6.1.
+        ///
+        /// Contradicted, mode: The example calls it interpolated position mode, writes the code of profile
+        /// position mode and maps 0x60C1, which the table of objects gives to the cyclic synchronous position
+        /// mode. Neither of the first two is among the modes. Open: 8, cyclic synchronous position, would fit
+        /// the set value.
         pub const FREE_MAPPING: [Write; 17] = [
             Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
             Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),
@@ -5794,6 +5855,12 @@ pub mod s400 {
     ///
     /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
     /// vendor id is that of the AKD.
+    ///
+    /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
+    /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
+    /// S600 is not known.
+    ///
+    /// Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S400;
 
@@ -5811,6 +5878,8 @@ pub mod s400 {
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S400, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
@@ -5831,16 +5900,22 @@ pub mod s400 {
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400" (3.5, 3.8, 3.9).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S400, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S400, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<S400, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -5857,21 +5932,29 @@ pub mod s400 {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 106.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const VENDOR_ID: Entry<S400, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 0x03000600.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const PRODUCT_CODE: Entry<S400, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 0.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const REVISION_NUMBER: Entry<S400, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro, default 0.
             ///
             /// The single device; 0 if it has no number of its own.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const SERIAL_NUMBER: Entry<S400, u32, ReadOnly> = Entry::new(0x1018, 4);
         }
 
@@ -6711,6 +6794,8 @@ pub mod s400 {
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
@@ -6973,6 +7058,9 @@ pub mod s400 {
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
+        ///
+        /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
+        /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
         pub const MOTION_TASK_PROFILE_NUMBER: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
@@ -7019,6 +7107,9 @@ pub mod s400 {
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
+        ///
+        /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
+        /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
         pub const DIGITAL_IO: Entry<S400, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
@@ -7032,6 +7123,8 @@ pub mod s400 {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: not in the manual; the four modes of chapter 3.8.
         pub const SUPPORTED_DRIVE_MODES: Entry<S400, u32, ReadOnly> = Entry::new(0x6502, 0);
     }
 
@@ -8683,6 +8776,8 @@ pub mod s400 {
     /// The outputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Position interface.
@@ -8718,6 +8813,13 @@ pub mod s400 {
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -8751,6 +8853,8 @@ pub mod s400 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     impl Carries<Rx> for S400 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1701],
@@ -8763,6 +8867,13 @@ pub mod s400 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S400 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -10350,6 +10461,12 @@ pub mod s600 {
     ///
     /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
     /// vendor id is that of the AKD.
+    ///
+    /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
+    /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
+    /// S600 is not known.
+    ///
+    /// Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S600;
 
@@ -10367,6 +10484,8 @@ pub mod s600 {
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S600, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
@@ -10387,16 +10506,22 @@ pub mod s600 {
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600" (3.5, 3.8, 3.9).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S600, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S600, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<S600, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -10413,21 +10538,29 @@ pub mod s600 {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 106.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const VENDOR_ID: Entry<S600, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 0x03000600.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const PRODUCT_CODE: Entry<S600, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 0.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const REVISION_NUMBER: Entry<S600, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro, default 0.
             ///
             /// The single device; 0 if it has no number of its own.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const SERIAL_NUMBER: Entry<S600, u32, ReadOnly> = Entry::new(0x1018, 4);
         }
 
@@ -11267,6 +11400,8 @@ pub mod s600 {
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
@@ -11529,6 +11664,9 @@ pub mod s600 {
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
+        ///
+        /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
+        /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
         pub const MOTION_TASK_PROFILE_NUMBER: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
@@ -11575,6 +11713,9 @@ pub mod s600 {
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
+        ///
+        /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
+        /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
         pub const DIGITAL_IO: Entry<S600, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
@@ -11588,6 +11729,8 @@ pub mod s600 {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: not in the manual; the four modes of chapter 3.8.
         pub const SUPPORTED_DRIVE_MODES: Entry<S600, u32, ReadOnly> = Entry::new(0x6502, 0);
     }
 
@@ -13239,6 +13382,8 @@ pub mod s600 {
     /// The outputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Position interface.
@@ -13274,6 +13419,13 @@ pub mod s600 {
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -13307,6 +13459,8 @@ pub mod s600 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     impl Carries<Rx> for S600 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1701],
@@ -13319,6 +13473,13 @@ pub mod s600 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S600 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -14906,6 +15067,12 @@ pub mod s700 {
     ///
     /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
     /// vendor id is that of the AKD.
+    ///
+    /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
+    /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
+    /// S600 is not known.
+    ///
+    /// Assumed, revision: no source gives it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub struct S700;
 
@@ -14923,6 +15090,8 @@ pub mod s700 {
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
+        ///
+        /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S700, u32, ReadOnly> = Entry::new(0x1000, 0);
 
         /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
@@ -14943,16 +15112,22 @@ pub mod s700 {
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700" (3.5, 3.8, 3.9).
         ///
         /// The name of the device.
+        ///
+        /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S700, str, ReadOnly> = Entry::new(0x1008, 0);
 
         /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the hardware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S700, str, ReadOnly> = Entry::new(0x1009, 0);
 
         /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
         ///
         /// The version of the firmware.
+        ///
+        /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_SOFTWARE_VERSION: Entry<S700, str, ReadOnly> = Entry::new(0x100A, 0);
 
         /// `0x1018` Identity object.
@@ -14969,21 +15144,29 @@ pub mod s700 {
             /// `0x1018:01` Vendor ID. UINT32, ro, default 106.
             ///
             /// The number that the ETG gave the manufacturer.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const VENDOR_ID: Entry<S700, u32, ReadOnly> = Entry::new(0x1018, 1);
 
             /// `0x1018:02` Product code. UINT32, ro, default 0x03000600.
             ///
             /// The kind of device.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const PRODUCT_CODE: Entry<S700, u32, ReadOnly> = Entry::new(0x1018, 2);
 
             /// `0x1018:03` Revision number. UINT32, ro, default 0.
             ///
             /// The version of what the device shows on the bus.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const REVISION_NUMBER: Entry<S700, u32, ReadOnly> = Entry::new(0x1018, 3);
 
             /// `0x1018:04` Serial number. UINT32, ro, default 0.
             ///
             /// The single device; 0 if it has no number of its own.
+            ///
+            /// Assumed, default: not in the manual; a master compares it with the configuration.
             pub const SERIAL_NUMBER: Entry<S700, u32, ReadOnly> = Entry::new(0x1018, 4);
         }
 
@@ -16091,6 +16274,8 @@ pub mod s700 {
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
 
         /// `0x20A4:00` Latch controlword. UINT16, rw, RxPDO (3.7.1, 3.12).
@@ -16353,6 +16538,9 @@ pub mod s700 {
         /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
+        ///
+        /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
+        /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
         pub const MOTION_TASK_PROFILE_NUMBER: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
@@ -16399,6 +16587,9 @@ pub mod s700 {
         /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
+        ///
+        /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
+        /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
         pub const DIGITAL_IO: Entry<S700, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
@@ -16412,6 +16603,8 @@ pub mod s700 {
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
         ///
         /// The modes of operation that the drive knows, a bit for each.
+        ///
+        /// Assumed, default: not in the manual; the four modes of chapter 3.8.
         pub const SUPPORTED_DRIVE_MODES: Entry<S700, u32, ReadOnly> = Entry::new(0x6502, 0);
     }
 
@@ -17669,6 +17862,9 @@ pub mod s700 {
     /// Goes with 0x1B0A.
     ///
     /// Source: 3.5.
+    ///
+    /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
+    /// 0x1B0A are swapped.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo170A {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18526,6 +18722,9 @@ pub mod s700 {
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
     /// Source: 3.5.
+    ///
+    /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
+    /// and 0x1B0A are swapped.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0A {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -18833,6 +19032,8 @@ pub mod s700 {
     /// The outputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Outputs {
         /// Velocity interface.
@@ -18868,6 +19069,13 @@ pub mod s700 {
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -18901,6 +19109,8 @@ pub mod s700 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Assumed, control: that of the AKD: three buffers, and no watchdog.
     impl Carries<Rx> for S700 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1702],
@@ -18913,6 +19123,13 @@ pub mod s700 {
     }
 
     /// Source: 3.1, 3.5.
+    ///
+    /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
+    /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
+    ///
+    /// Assumed, control: that of the AKD: three buffers.
+    ///
+    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S700 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -18952,6 +19169,11 @@ pub mod s700 {
         /// Cycle time: 2 ms.
         ///
         /// Source: 3.6.1.
+        ///
+        /// Contradicted, mode: The example calls it interpolated position mode, writes the code of profile
+        /// position mode and maps 0x60C1, which the table of objects gives to the cyclic synchronous position
+        /// mode. Neither of the first two is among the modes. Open: 8, cyclic synchronous position, would fit
+        /// the set value.
         pub const FREE_MAPPING: [Write; 17] = [
             Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
             Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),

@@ -142,7 +142,7 @@ fn stages(shape: Shape, entries: usize) -> Fallible<()> {
     };
     for emitter in emit::ALL {
         stage_begins(&mut laps, emitter.name());
-        black_box(emitter.emit(&family));
+        black_box(emitter.emit(&family, &devc::emit::Options::default()));
     }
     stage_begins(&mut laps, "end");
     for pair in laps.windows(2) {

@@ -6,7 +6,7 @@ use std::time::Instant;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use devc::Compilation;
-use devc::emit::{self, Emitter, Files};
+use devc::emit::{self, Emitter, Files, Options};
 use devc::lint::{Checked, Levels};
 use devc::model::Family;
 use devc::source::Disk;
@@ -37,6 +37,10 @@ pub(super) struct Build {
     /// The outputs to make, separated by commas [default: all].
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = emitters())]
     emit: Vec<String>,
+
+    /// Leave out of the reference how sure facts are: errata, remarks, assumptions and marks.
+    #[arg(long)]
+    no_editorial: bool,
 
     /// Write nothing; say which outputs are not up to date.
     #[arg(long)]
@@ -111,9 +115,10 @@ impl Build {
         };
         // the last takes longest, so it is begun first
         let emitters: Vec<&dyn Emitter> = emit::ALL.iter().rev().filter(wanted).copied().collect();
+        let options = Options { editorial: !self.no_editorial };
         let made = workers.map(&emitters, |emitter| {
             let start = Instant::now();
-            (emit::emit(family, &[*emitter]), start.elapsed())
+            (emit::emit(family, &[*emitter], &options), start.elapsed())
         });
         let mut files = Files::default();
         for (emitter, (made, time)) in emitters.iter().zip(made).rev() {

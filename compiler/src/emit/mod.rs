@@ -26,7 +26,21 @@ pub trait Emitter: Sync {
     fn summary(&self) -> &'static str;
 
     /// The text of the file `<family>.<name>`.
-    fn emit(&self, family: &Checked<Family>) -> String;
+    fn emit(&self, family: &Checked<Family>, options: &Options) -> String;
+}
+
+/// What outputs can be made with or without.
+#[derive(Debug, Clone, Copy)]
+pub struct Options {
+    /// Whether a reference for people shows how sure facts are: errata, remarks, assumptions, and marks beside what no
+    /// source states. A vendor's customers may do without.
+    pub editorial: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { editorial: true }
+    }
 }
 
 /// The outputs that this build of devc can make.
@@ -46,11 +60,11 @@ pub static ALL: &[&dyn Emitter] = &[
 pub struct Files(pub BTreeMap<String, String>);
 
 /// Makes the outputs of `emitters`: `<family>/<family>.<name>` each.
-pub fn emit(family: &Checked<Family>, emitters: &[&dyn Emitter]) -> Files {
+pub fn emit(family: &Checked<Family>, emitters: &[&dyn Emitter], options: &Options) -> Files {
     let id = &family.id;
     let files = emitters.iter().map(|emitter| {
         let name = emitter.name();
-        (format!("{id}/{id}.{name}"), emitter.emit(family))
+        (format!("{id}/{id}.{name}"), emitter.emit(family, options))
     });
     Files(files.collect())
 }

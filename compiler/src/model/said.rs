@@ -95,6 +95,8 @@ impl fmt::Display for Said {
         let list = |f: &mut fmt::Formatter<'_>, parts: Vec<String>| f.write_str(&parts.join(", "));
         match self {
             Self::Boolean(value) => write!(f, "{value}"),
+            // What is large is rather an index, a code or a row of bits.
+            Self::Integer(value) if *value > 0xFF => write!(f, "0x{value:X} ({value})"),
             Self::Integer(value) => write!(f, "{value}"),
             Self::Real(value) => write!(f, "{value}"),
             Self::Text(text) => f.write_str(text),

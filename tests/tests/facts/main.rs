@@ -39,7 +39,7 @@ fn outcome(description: &Table) -> Outcome {
     let compilation = devc::compile_with(&memory, Path::new("example"), &levels(), &mut |_| ());
     let model = compilation.family.as_ref().map(|family| {
         let json: &[&dyn Emitter] = &[&emit::json::Json];
-        let files = emit::emit(family, json);
+        let files = emit::emit(family, json, &emit::Options::default());
         let text = files.0.values().next().expect("one output").clone();
         without_provenance(serde_json::from_str(&text).expect("it is JSON"))
     });

@@ -79,7 +79,7 @@ fn the_schema_refuses_what_is_not_the_model() {
 #[test]
 fn each_list_of_the_model_is_in_the_output() {
     let family = devc::compile(&Disk, &root().join("devices/c887")).family.expect("it compiles");
-    let output = parse(&Json.emit(&family));
+    let output = parse(&Json.emit(&family, &devc::emit::Options::default()));
     let device = family.members.first().expect("there is a device");
     let member = &output["members"][0];
     let length = |list: &str| member[list].as_array().map(Vec::len);

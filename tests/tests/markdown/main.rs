@@ -31,7 +31,7 @@ fn references() -> Vec<(Family, String)> {
     folders.sort();
     let compiled = folders.iter().map(|folder| {
         let family = devc::compile(&Disk, folder).family.unwrap_or_else(|| panic!("{}", folder.display()));
-        let text = Markdown.emit(&family);
+        let text = Markdown.emit(&family, &devc::emit::Options::default());
         (Family::clone(&family), text)
     });
     compiled.collect()
@@ -127,7 +127,8 @@ fn what_is_empty_vanishes_with_its_line_of_the_contents() {
     let loader = Memory::new().with("/bare/device.toml", BARE);
     let compilation = devc::compile(&loader, Path::new("/bare"));
     let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
-    let text = Markdown.emit(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")));
+    let text = Markdown
+        .emit(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")), &devc::emit::Options::default());
     let chapters: Vec<&str> = text.lines().filter(|line| line.starts_with("## ")).collect();
     assert!(chapters.contains(&"## <a id=\"device\"></a>Device"), "{text}");
     assert!(!text.contains("Modes of operation") && !text.contains("Errors"), "{text}");

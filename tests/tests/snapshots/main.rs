@@ -17,6 +17,9 @@ fn outputs_are_as_they_were() {
     let names: Vec<_> = emit::ALL.iter().map(|emitter| emitter.name()).collect();
     assert_eq!(names.len(), 4, "all outputs are compared: {names:?}");
     for emitter in emit::ALL {
-        insta::assert_snapshot!(format!("tiny.{}", emitter.name()), emitter.emit(&family));
+        insta::assert_snapshot!(
+            format!("tiny.{}", emitter.name()),
+            emitter.emit(&family, &devc::emit::Options::default())
+        );
     }
 }

@@ -5,7 +5,54 @@
 use std::fmt::Write;
 
 use super::literal::prose;
-use crate::model::{Assumption, Family};
+use crate::model::{Assumption, Device, Family, Section};
+
+/// What of a description is in the file: sections, and the keys of them if not all are. Objects and PDOs are there whole,
+/// but for what only a reference says.
+const IN_FILE: &[(Section, &[&str])] = &[
+    (Section::Device, &["name", "vendor", "group", "type-name", "profile", "physics", "title"]),
+    (Section::Identity, &["vendor-id", "product-code", "revision", "serial"]),
+    (Section::Axes, &["names"]),
+    (
+        Section::Mailbox,
+        &["protocols", "sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"],
+    ),
+    (Section::SyncManagers, &["address", "size", "control", "pdos"]),
+    (Section::SyncModes, &["name", "assign-activate", "sync0", "sync1", "default"]),
+    (Section::RxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
+    (Section::TxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
+    (
+        Section::Objects,
+        &[
+            "name", "type", "access", "pdo", "category", "default", "min", "max", "values", "written",
+            "entries", "about",
+        ],
+    ),
+];
+
+/// Whether the file says what is assumed. The EEPROM is in it only if its first bytes are known.
+fn is_in_file(assumption: &Assumption, device: &Device) -> bool {
+    if assumption.at.section == Section::Eeprom {
+        return !device.eeprom.config_data.0.is_empty();
+    }
+    let keys = IN_FILE.iter().find(|(section, _)| *section == assumption.at.section).map(|(_, keys)| keys);
+    let first = assumption.at.path.as_deref().and_then(|path| path.split('.').next());
+    keys.is_some_and(|keys| first.is_none_or(|first| keys.contains(&first)))
+}
+
+/// What the file says of a mailbox although the description does not.
+fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
+    let keys = ["sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"];
+    let said = |key: &&str| device.mailbox.as_ref().is_none_or(|mailbox| mailbox.origin.has(key));
+    let keys: Vec<&str> = keys.into_iter().filter(|key| !said(key)).collect();
+    let lines = keys.into_iter().map(|key| format!("mailbox.{key} = false: the description does not say it"));
+    let fmmus = (!device.sync_managers.is_empty()).then(|| {
+        "Fmmu: one for each sync manager of process data and one for the state of the mailbox, as is usual".to_owned()
+    });
+    let enable = (!device.sync_managers.is_empty())
+        .then(|| "Sm Enable = 1: each sync manager that is described is in use".to_owned());
+    lines.chain(fmmus).chain(enable)
+}
 
 /// The text of the comment.
 pub(super) fn heading(family: &Family) -> String {
@@ -28,11 +75,16 @@ pub(super) fn heading(family: &Family) -> String {
 fn assumptions(family: &Family) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for device in &family.members {
-        for assumption in &device.assumptions {
+        for assumption in device.assumptions.iter().filter(|assumption| is_in_file(assumption, device)) {
             let everywhere =
                 family.members.iter().all(|other| other.assumptions.iter().any(|it| same(it, assumption)));
             let line =
                 if everywhere { line(assumption) } else { format!("{}: {}", device.name, line(assumption)) };
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        for line in unsaid(device) {
             if !lines.contains(&line) {
                 lines.push(line);
             }

@@ -24,7 +24,7 @@ mod types;
 mod vendor;
 
 use self::element::Element;
-use super::Emitter;
+use super::{Emitter, Options};
 use crate::lint::Checked;
 use crate::model::Family;
 
@@ -44,7 +44,7 @@ impl Emitter for Esi {
         "ESI, for EtherCAT masters and configuration tools"
     }
 
-    fn emit(&self, family: &Checked<Family>) -> String {
+    fn emit(&self, family: &Checked<Family>, _: &Options) -> String {
         document(family)
     }
 }

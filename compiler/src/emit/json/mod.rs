@@ -9,7 +9,7 @@ mod schema;
 
 use serde::Serialize;
 
-use super::Emitter;
+use super::{Emitter, Options};
 use crate::lint::Checked;
 use crate::model::Family;
 
@@ -52,7 +52,7 @@ impl Emitter for Json {
         "the complete model, for other tools"
     }
 
-    fn emit(&self, family: &Checked<Family>) -> String {
+    fn emit(&self, family: &Checked<Family>, _: &Options) -> String {
         document(family)
     }
 }

@@ -32,10 +32,10 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
     #[rustfmt::skip] // a line for what belongs together
     let Device {
         // the word, the name and the title stand at the front of the document
-        id: _, name: _, title: _, origin: _,
+        id: _, name: _, title: _,
         // what it repeats, and who said what, stands where it belongs
         repetitions: _, written: _,
-        vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source,
+        vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
         axes, arrangement, connectors, leds,
         communication_states, communication_transitions, al_status_codes, sync_managers, mailbox,
         sync_modes, cycle_times, dead_time,
@@ -59,6 +59,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
         eeprom,
         limits,
         source: source.as_ref(),
+        origin,
     };
     let link_layer = (
         &**communication_states,

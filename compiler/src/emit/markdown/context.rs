@@ -2,7 +2,10 @@
 
 mod axes;
 mod prose;
+mod said;
 mod value;
+
+pub(super) use said::{assumption_id, erratum_id};
 
 use super::inline::{code, link, small, text};
 use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, Source};
@@ -14,12 +17,14 @@ pub(super) struct Context<'a> {
     pub(super) device: &'a Device,
     /// All devices in the same document.
     members: &'a [Context<'a>],
+    /// Whether to show how sure facts are: what no source states, and what contradicts itself.
+    pub(super) editorial: bool,
 }
 
 impl<'a> Context<'a> {
     /// A device in a document with others of its family: what it names but lacks may be described for them.
-    pub(super) fn new(device: &'a Device, members: &'a [Context<'a>]) -> Self {
-        Self { device, members }
+    pub(super) fn new(device: &'a Device, members: &'a [Context<'a>], editorial: bool) -> Self {
+        Self { device, members, editorial }
     }
 
     /// The anchor of an object; that of the first axis stands for all.

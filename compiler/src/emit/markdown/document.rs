@@ -17,10 +17,10 @@ const FAMILY: &str = include_str!("templates/family.md.j2");
 const BODY: &str = include_str!("templates/body.md.j2");
 
 /// The whole document: a reference, or the references of a family as one.
-pub(super) fn document(family: &Family) -> String {
+pub(super) fn document(family: &Family, editorial: bool) -> String {
     // Views and templates are part of devc, and each is rendered by a test: this says where one is broken.
-    let reference =
-        reference(family).unwrap_or_else(|error| format!("devc could not print this: {error:#}\n"));
+    let reference = reference(family, editorial)
+        .unwrap_or_else(|error| format!("devc could not print this: {error:#}\n"));
     let text = tidy(&format!(
         "<!-- Made by devc from the description of {}; not to be edited. -->\n{reference}",
         family.id
@@ -28,10 +28,12 @@ pub(super) fn document(family: &Family) -> String {
     sources_once(&text)
 }
 
-fn reference(family: &Family) -> Result<String, minijinja::Error> {
+fn reference(family: &Family, editorial: bool) -> Result<String, minijinja::Error> {
     let environment = environment()?;
-    let members: Vec<Context<'_>> = family.members.iter().map(|device| Context::new(device, &[])).collect();
-    let bodies = family.members.iter().map(|device| body(&environment, &Context::new(device, &members)));
+    let members: Vec<Context<'_>> =
+        family.members.iter().map(|device| Context::new(device, &[], editorial)).collect();
+    let bodies =
+        family.members.iter().map(|device| body(&environment, &Context::new(device, &members, editorial)));
     let bodies: Vec<String> = bodies.collect::<Result<_, _>>()?;
     match family.members.as_slice() {
         [alone] => environment.render_named_str("document", ALONE, front(alone, bodies.concat())),

@@ -13,7 +13,7 @@ mod inline;
 mod number;
 mod table;
 
-use super::Emitter;
+use super::{Emitter, Options};
 use crate::lint::Checked;
 use crate::model::Family;
 
@@ -30,7 +30,7 @@ impl Emitter for Markdown {
         "the reference chapter of a manual"
     }
 
-    fn emit(&self, family: &Checked<Family>) -> String {
-        document::document(family)
+    fn emit(&self, family: &Checked<Family>, options: &Options) -> String {
+        document::document(family, options.editorial)
     }
 }

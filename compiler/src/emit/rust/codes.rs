@@ -63,9 +63,11 @@ fn vendor_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
         id: &code.name,
         name: &code.name,
         text: code.about.clone(),
-        doc: Doc::new(sentence(&code.name))
-            .maybe(code.about.as_deref())
-            .source(code.source.as_ref(), scope.device),
+        doc: Doc::new(sentence(&code.name)).maybe(code.about.as_deref()).said(
+            code.source.as_ref(),
+            &code.origin,
+            scope.device,
+        ),
     });
     Newtype {
         doc: Doc::new(format!("An error code of {}'s own system.", escape(&scope.device.vendor))),
@@ -103,7 +105,7 @@ fn causes(codes: &[VendorCode]) -> TokenStream {
 
 fn al_status_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
     let values = scope.device.al_status_codes.iter().map(|code| {
-        let AlStatusCode { code: number, name, during, results, about, source, origin: _ } = code;
+        let AlStatusCode { code: number, name, during, results, about, source, origin } = code;
         let during = (!during.is_empty()).then(|| format!("In the transitions {}.", during.join(", ")));
         let results = results.as_ref().map(|results| format!("Results in {results}."));
         let parts = [about.clone(), during, results];
@@ -112,7 +114,7 @@ fn al_status_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
             literal: hex16(*number),
             id: name,
             name,
-            doc: Doc::new(sentence(name)).text(&escape(&text)).source(source.as_ref(), scope.device),
+            doc: Doc::new(sentence(name)).text(&escape(&text)).said(source.as_ref(), origin, scope.device),
             text: Some(text),
         }
     });

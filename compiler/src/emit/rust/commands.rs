@@ -57,7 +57,7 @@ fn of_command<'a>(device: &'a Device, command: &'a Command) -> Option<Given<'a>>
     let pattern = command.pattern.as_ref()?;
     let doc = Doc::new(format!("{} `{pattern}`", sentence(&command.name)))
         .maybe(command.about.as_deref())
-        .source(command.source.as_ref(), device);
+        .said(command.source.as_ref(), &command.origin, device);
     let is_made =
         |number: &&u8| !device.transitions.iter().any(|one| one.number == **number && !one.supported);
     Some(Given {
@@ -77,7 +77,7 @@ fn of_transition<'a>(device: &'a Device, transition: &'a Transition) -> Option<G
     let name = transition.command.clone().unwrap_or_else(|| "Transition".into());
     let doc = Doc::new(format!("{} `{pattern}`", sentence(&format!("{name}, transition {number}"))))
         .maybe(transition.about.as_deref())
-        .source(transition.source.as_ref(), device);
+        .said(transition.source.as_ref(), &transition.origin, device);
     let id = format!("{name}-{number}");
     let name = match transition.command {
         Some(_) => name.to_lowercase(),

@@ -4,7 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, TokenStreamExt, quote};
 
 use super::literal;
-use crate::model::{Device, Source};
+use crate::model::{Device, Provenance, Source, facts};
+use crate::source::Origin;
 
 /// Columns of a line of documentation.
 const WIDTH: usize = 100;
@@ -56,6 +57,12 @@ impl Doc {
         }
     }
 
+    /// Where the facts are from, and a line for each that is not from there: assumed, corrected, contradicted.
+    pub(super) fn said(self, source: Option<&Source>, origin: &Origin, device: &Device) -> Self {
+        let departures = facts(origin).into_iter().filter_map(|(path, who)| departure(&path, &who, device));
+        departures.fold(self.source(source, device), |doc, line| doc.text(&escape(&line)))
+    }
+
     /// The documentation of the module that it stands in.
     pub(super) fn inner(&self) -> TokenStream {
         let text = self.literal().into_iter();
@@ -78,6 +85,20 @@ impl ToTokens for Doc {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         let text = self.literal().into_iter();
         tokens.append_all(quote!(#(#[doc = #text])*));
+    }
+}
+
+/// What a line says of a fact that the source does not state as it stands here.
+pub(super) fn departure(path: &str, who: &Provenance, device: &Device) -> Option<String> {
+    let erratum = |number: &u16| device.errata.get(usize::from(*number));
+    match who {
+        Provenance::Assumed(reason) => Some(format!("Assumed, {path}: {reason}.")),
+        Provenance::Corrected(number) => {
+            let erratum = erratum(number)?;
+            Some(format!("Corrected, {path}; the source says: {}. {}", erratum.says, erratum.why))
+        }
+        Provenance::Contradicted(number) => Some(format!("Contradicted, {path}: {}", erratum(number)?.why)),
+        Provenance::Stated | Provenance::Profile | Provenance::Derived => None,
     }
 }
 

@@ -18,6 +18,7 @@ pub(super) fn doc(scope: &Scope<'_>, placed: &Placed<'_, Object>, entry: &Entry)
         .maybe(note)
         .maybe(trigger(entry).as_deref())
         .maybe(without_function(scope, placed, entry).as_deref())
+        .said(None, &entry.origin, scope.device)
 }
 
 /// What there is to say about an object of several entries.
@@ -25,7 +26,7 @@ pub(super) fn object_doc(scope: &Scope<'_>, object: &Object) -> Doc {
     Doc::new(format!("`{}` {}", object.index, sentence(&object.name)))
         .maybe(object.about.as_deref())
         .maybe(object.note.as_deref())
-        .source(object.source.as_ref(), scope.device)
+        .said(object.source.as_ref(), &object.origin, scope.device)
 }
 
 /// Address and name.

@@ -28,8 +28,11 @@ fn item(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
     .collect();
     let limits =
         if limits.is_empty() { String::new() } else { format!(" At most {}.", limits.join(" and ")) };
-    let doc = Doc::new(format!("`{}`, to be mapped freely by `#[derive(Pdo)]`.{limits}", pdo.index))
-        .source(pdo.source.as_ref(), scope.device);
+    let doc = Doc::new(format!("`{}`, to be mapped freely by `#[derive(Pdo)]`.{limits}", pdo.index)).said(
+        pdo.source.as_ref(),
+        &pdo.origin,
+        scope.device,
+    );
     quote! {
         #doc
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]

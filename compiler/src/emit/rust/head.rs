@@ -89,7 +89,7 @@ fn device(scope: &Scope<'_>) -> TokenStream {
                 .then(|| format!("Models: {}.", scope.device.models.join(", ")))
                 .as_deref(),
         )
-        .source(scope.device.identity.source.as_ref(), scope.device);
+        .said(scope.device.identity.source.as_ref(), &scope.device.identity.origin, scope.device);
     let identity = identity(scope.device, marker, &quote!(Device));
     quote! {
         #doc

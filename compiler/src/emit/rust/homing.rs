@@ -103,7 +103,7 @@ fn doc(scope: &Scope<'_>, method: &HomingMethod) -> Doc {
         [] => doc,
         parameters => doc.text(&escape(&format!("Parameters: {}.", parameters.join(", ")))),
     };
-    doc.source(method.source.as_ref(), scope.device)
+    doc.said(method.source.as_ref(), &method.origin, scope.device)
 }
 
 fn listed(doc: Doc, steps: &[String]) -> Doc {

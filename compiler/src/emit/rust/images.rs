@@ -40,8 +40,11 @@ fn image(
     let fields = parts.iter().map(|part| field(scope, part));
     let pdos = parts.iter().flat_map(|part| selected(scope, part));
     let (name, length) = (format_ident!("{name}"), scope.device.image_bytes(role));
-    let doc = Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes."))
-        .source(manager.source.as_ref(), scope.device);
+    let doc = Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes.")).said(
+        manager.source.as_ref(),
+        &manager.origin,
+        scope.device,
+    );
     let packing = packing::items(scope, &name, direction, &layout(scope, &parts, length));
     Some(quote! {
         #doc

@@ -27,8 +27,11 @@ fn machine(scope: &Scope<'_>) -> TokenStream {
     let commands = commands::list(scope.device);
     let refusal = refusal(control.map_or(Refusal::Ignored, |control| control.wrong_command));
     let doc = Doc::new("The state machine, as both sides run it.")
-        .maybe(control.and_then(|control| control.about.as_deref()))
-        .source(control.and_then(|control| control.source.as_ref()), scope.device);
+        .maybe(control.and_then(|control| control.about.as_deref()));
+    let doc = match control {
+        Some(control) => doc.said(control.source.as_ref(), &control.origin, scope.device),
+        None => doc,
+    };
     quote! {
         #doc
         pub const MACHINE: Machine = Machine {
@@ -130,7 +133,7 @@ fn homing(scope: &Scope<'_>, mode: &Mode, names: &mut Names) -> Option<TokenStre
     let name = names.claim(&format_ident!("HOMING"));
     let (start, reached, attained, error) = (mask(start), mask(reached), mask(attained), mask(error));
     let title = format!("The bits that start a reference run in mode {} and show how far it is.", mode.code);
-    let doc = Doc::new(title).source(mode.source.as_ref(), scope.device);
+    let doc = Doc::new(title).said(mode.source.as_ref(), &mode.origin, scope.device);
     Some(quote! {
         #doc
         pub const #name: HomingBits = HomingBits {

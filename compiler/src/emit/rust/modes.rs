@@ -48,7 +48,7 @@ fn doc(scope: &Scope<'_>, mode: &Mode) -> Doc {
     } else {
         doc.text("Caution:").lines(mode.cautions.iter().map(|caution| format!("- {}", escape(caution))))
     };
-    doc.source(mode.source.as_ref(), scope.device)
+    doc.said(mode.source.as_ref(), &mode.origin, scope.device)
 }
 
 /// What the drive does in the modes.

@@ -59,7 +59,7 @@ fn doc(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> Doc {
     Doc::new(format!("`{}` {}, {} bytes.{axes}", pdo.index, escape(&pdo.name), pdo.bytes()))
         .maybe(pdo.about.as_deref())
         .text(&excludes)
-        .source(pdo.source.as_ref(), scope.device)
+        .said(pdo.source.as_ref(), &pdo.origin, scope.device)
 }
 
 /// The fields with their bits; padding has none of a name.

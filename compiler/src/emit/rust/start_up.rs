@@ -55,7 +55,7 @@ fn list(scope: &Scope<'_>, configuration: &Configuration, name: &proc_macro2::Id
     let doc = Doc::new(sentence(&configuration.name))
         .maybe(configuration.about.as_deref())
         .text(&configuration.cycle_time.map(|time| cycle(time.0)).unwrap_or_default())
-        .source(configuration.source.as_ref(), scope.device);
+        .said(configuration.source.as_ref(), &configuration.origin, scope.device);
     let count = number(configuration.startup.len());
     let writes = configuration.startup.iter().map(write);
     quote! {

@@ -34,7 +34,7 @@ fn item(scope: &Scope<'_>, manager: &SyncManager, way: Direction) -> TokenStream
         let (one, other) = (hex(one), hex(other));
         quote!([#one, #other])
     });
-    let doc = Doc::default().source(manager.source.as_ref(), scope.device);
+    let doc = Doc::default().said(manager.source.as_ref(), &manager.origin, scope.device);
     quote! {
         #doc
         impl Carries<#direction> for #marker {

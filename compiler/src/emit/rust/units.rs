@@ -103,7 +103,7 @@ fn doc(scope: &Scope<'_>, unit: &Unit, of_axes: &str, steps: &str) -> Doc {
     Doc::new(format!("{title}{path}{of_axes}: {steps}."))
         .maybe(unit.about.as_deref())
         .maybe(factor.as_deref())
-        .source(unit.source.as_ref(), scope.device)
+        .said(unit.source.as_ref(), &unit.origin, scope.device)
 }
 
 /// The names of the axes.

@@ -22,7 +22,7 @@ fn word(scope: &Scope<'_>, word: &Word) -> Option<TokenStream> {
     let number = format_ident!("u{}", word.bits.next_power_of_two().max(8));
     let doc = Doc::new(format!("`{}` {}", word.address.index, sentence(&word.name)))
         .maybe(word.about.as_deref())
-        .source(word.source.as_ref(), scope.device);
+        .said(word.source.as_ref(), &word.origin, scope.device);
     let mut bits =
         Bits { number: &number, is_written: is_written(scope, word), names: Names::with(RESERVED) };
     let general = word.fields.iter().filter(|field| !field.reserved && !field.per_mode);

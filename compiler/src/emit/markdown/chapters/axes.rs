@@ -24,14 +24,14 @@ impl Chapter for View {
     const TEMPLATE: &'static str = include_str!("../templates/axes.md.j2");
 
     fn view(context: &Context<'_>, (axes, arrangement): Self::Parts<'_>) -> Option<Self> {
-        let Arrangement { shifts, pdo_shift, coupling, source, origin: _ } = arrangement;
+        let Arrangement { shifts, pdo_shift, coupling, source, origin } = arrangement;
         let about = axes.iter().any(|axis| axis.about.is_some());
         let shown = context.has_axes() || coupling.is_some() || about;
         shown.then(|| Self {
             coupling: context.paragraphs(coupling.as_deref()),
             axes: table(context, axes, shifts),
             rules: rules(context, shifts, *pdo_shift),
-            source: context.source_line(source.as_ref()),
+            source: context.said_line(source.as_ref(), origin),
         })
     }
 }

@@ -54,7 +54,7 @@ fn state_table(context: &Context<'_>, states: &[CommunicationState]) -> Table {
             code(state.code),
             format!("**{}**", text(&state.name)),
             context.optional(state.about.as_deref()),
-            context.source(state.source.as_ref()),
+            context.said(state.source.as_ref(), &state.origin),
         ]
     })
 }
@@ -71,7 +71,7 @@ fn transition_table(
             name(&change.from),
             name(&change.to),
             context.optional(change.about.as_deref()),
-            context.source(change.source.as_ref()),
+            context.said(change.source.as_ref(), &change.origin),
         ]
     })
 }
@@ -85,7 +85,7 @@ fn al_status_codes(context: &Context<'_>, codes: &[AlStatusCode]) -> Table {
             list(status.during.iter().map(|change| text(change))),
             status.results.as_deref().map_or(String::new(), text),
             context.optional(status.about.as_deref()),
-            context.source(status.source.as_ref()),
+            context.said(status.source.as_ref(), &status.origin),
         ]
     })
 }
@@ -94,7 +94,7 @@ fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
     let titles =
         ["SM", "Carries", "Address", "Size", "At most", "Control", "PDOs by default", "Slots", "Source"];
     Table::of(titles, managers, |manager| {
-        let SyncManager { role, address, size, max_size, control, pdos, slots, source, origin: _ } = manager;
+        let SyncManager { role, address, size, max_size, control, pdos, slots, source, origin } = manager;
         [
             role.number().to_string(),
             carries(*role).into(),
@@ -104,7 +104,7 @@ fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
             code(format!("0x{control:02X}")),
             list(pdos.iter().map(|pdo| context.index(*pdo))),
             if *slots == 0 { String::new() } else { slots.to_string() },
-            context.source(source.as_ref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }
@@ -119,16 +119,8 @@ fn carries(role: Role) -> &'static str {
 }
 
 fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {
-    let Mailbox {
-        protocols,
-        sdo_info,
-        pdo_assign,
-        pdo_config,
-        complete_access,
-        segmented,
-        source,
-        origin: _,
-    } = mailbox;
+    let Mailbox { protocols, sdo_info, pdo_assign, pdo_config, complete_access, segmented, source, origin } =
+        mailbox;
     let answer = |yes: &bool| String::from(if *yes { "yes" } else { "no" });
     let rows = [
         ("Protocols", list(protocols.iter().map(|protocol| text(protocol.name())))),
@@ -138,6 +130,6 @@ fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {
         ("Complete access", answer(complete_access)),
         ("Segmented transfer", answer(segmented)),
     ];
-    let source = context.source(source.as_ref());
+    let source = context.said(source.as_ref(), origin);
     Table::of(["Mailbox", "Supported", "Source"], rows, |(name, value)| [name.into(), value, source.clone()])
 }

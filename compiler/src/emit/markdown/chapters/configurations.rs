@@ -65,7 +65,7 @@ fn configuration(context: &Context<'_>, configuration: &Configuration) -> Config
         mode: _,
         cycle_time: _,
         startup: _,
-        origin: _,
+        origin,
     } = configuration;
     ConfigurationView {
         anchor: format!("configuration-{id}"),
@@ -74,7 +74,7 @@ fn configuration(context: &Context<'_>, configuration: &Configuration) -> Config
         facts: facts(context, configuration),
         mapping: mapping.iter().map(|pdo| self::mapping(context, pdo)).collect(),
         startup: startup(context, configuration),
-        source: context.source_line(source.as_ref()),
+        source: context.said_line(source.as_ref(), origin),
     }
 }
 

@@ -33,7 +33,7 @@ fn sockets(context: &Context<'_>, connectors: &[Connector]) -> Table {
             format!("**{}**", text(&connector.name)),
             context.optional(connector.kind.as_deref()),
             context.optional(connector.about.as_deref()),
-            context.source(connector.source.as_ref()),
+            context.said(connector.source.as_ref(), &connector.origin),
         ]
     })
 }
@@ -42,7 +42,7 @@ fn sockets(context: &Context<'_>, connectors: &[Connector]) -> Table {
 fn lights(context: &Context<'_>, leds: &[Led]) -> Table {
     let mut table = Table::new(["Light", "Colour", "Shows", "Meaning", "Source"]);
     for led in leds {
-        let source = context.source(led.source.as_ref());
+        let source = context.said(led.source.as_ref(), &led.origin);
         let about = context.optional(led.about.as_deref());
         let row = |name: [String; 2], shows: String, means: String| {
             name.into_iter().chain([shows, means, source.clone()])

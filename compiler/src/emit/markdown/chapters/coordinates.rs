@@ -34,7 +34,7 @@ impl Chapter for View {
             groups: Table::of(["Group", "Parameters", "Number", "Indices"], &coordinates.groups, |it| {
                 group(context, it)
             }),
-            source: context.source_line(coordinates.source.as_ref()),
+            source: context.said_line(coordinates.source.as_ref(), &coordinates.origin),
         })
     }
 }

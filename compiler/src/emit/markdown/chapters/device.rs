@@ -8,6 +8,7 @@ use crate::emit::markdown::inline::{code, link, list, text};
 use crate::emit::markdown::number::bytes;
 use crate::emit::markdown::table::Table;
 use crate::model::{Eeprom, Identity, Limit, Role, Source};
+use crate::source::Origin;
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -32,6 +33,7 @@ pub(in crate::emit::markdown) struct Head<'d> {
     pub(super) eeprom: &'d Eeprom,
     pub(super) limits: &'d [Limit],
     pub(super) source: Option<&'d Source>,
+    pub(super) origin: &'d Origin,
 }
 
 impl Chapter for View {
@@ -47,8 +49,8 @@ impl Chapter for View {
             facts: facts(context, &head),
             identity: identity(head.identity),
             limits: limits(context, head.limits),
-            source: context.source_line(head.source),
-            identity_source: context.source_line(head.identity.source.as_ref()),
+            source: context.said_line(head.source, head.origin),
+            identity_source: context.said_line(head.identity.source.as_ref(), &head.identity.origin),
         })
     }
 }
@@ -108,7 +110,7 @@ fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {
             text(&limit.name),
             context.prose(&limit.value),
             context.optional(limit.about.as_deref()),
-            context.source(limit.source.as_ref()),
+            context.said(limit.source.as_ref(), &limit.origin),
         ]
     })
 }

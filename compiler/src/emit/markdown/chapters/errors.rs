@@ -52,7 +52,7 @@ fn error_table(context: &Context<'_>, errors: &[ErrorCode]) -> Table {
             about,
             remedy,
             source,
-            origin: _,
+            origin,
         } = error;
         [
             format!("{}{}", anchor(context.error_id(error)), codes(error)),
@@ -61,7 +61,7 @@ fn error_table(context: &Context<'_>, errors: &[ErrorCode]) -> Table {
             list(vendor_codes.iter().map(|code| vendor_code(context, *code))),
             context.optional(about.as_deref()),
             context.optional(remedy.as_deref()),
-            context.source(source.as_ref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }
@@ -90,14 +90,14 @@ fn vendor_id(number: u32) -> String {
 fn vendor_table(context: &Context<'_>, vendor_codes: &[VendorCode]) -> Table {
     let titles = ["Code", "Name", "Meaning", "Reported as", "Source"];
     Table::of(titles, vendor_codes, |vendor| {
-        let VendorCode { code: number, name, about, causes, source, origin: _ } = vendor;
+        let VendorCode { code: number, name, about, causes, source, origin } = vendor;
         let errors = context.device.errors.iter().filter(|error| error.vendor_codes.contains(number));
         [
             format!("{}{}", anchor(vendor_id(*number)), code(number)),
             format!("**{}**", text(name)),
             meaning(context, about.as_deref(), causes),
             list(errors.map(|error| link(codes(error), context.error_id(error)))),
-            context.source(source.as_ref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }

@@ -72,7 +72,7 @@ fn table(context: &Context<'_>, methods: &[HomingMethod]) -> Table {
             alternatives: _,
             about,
             source,
-            origin: _,
+            origin,
         } = one;
         let numbers = [*number].into_iter().chain(aliases.iter().copied());
         let id = format!("homing-{number}");
@@ -85,7 +85,7 @@ fn table(context: &Context<'_>, methods: &[HomingMethod]) -> Table {
             if *pulse { "✓".into() } else { String::new() },
             list(parameters.iter().map(code)),
             context.optional(about.as_deref()),
-            context.source(source.as_ref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }

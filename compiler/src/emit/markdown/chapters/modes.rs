@@ -87,7 +87,7 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
         name: _,
         cyclic: _,
         supported_bit: _,
-        origin: _,
+        origin,
     } = mode;
     let sentences = |lines: &[String]| lines.iter().map(|line| sentence(&context.prose(line))).collect();
     ModeView {
@@ -101,7 +101,7 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
         status_bits: fields(context, "Bit of the statusword", status_bits),
         homing: homing_bits.as_ref().map_or(String::new(), homing),
         commands: command_table(context, commands),
-        source: context.source_line(source.as_ref()),
+        source: context.said_line(source.as_ref(), origin),
     }
 }
 
@@ -145,7 +145,7 @@ fn changes(context: &Context<'_>, mode_changes: &[ModeChange]) -> Table {
             context.optional(change.done_when.as_deref()),
             context.optional(change.fault_when.as_deref()),
             context.optional(change.about.as_deref()),
-            context.source(change.source.as_ref()),
+            context.said(change.source.as_ref(), &change.origin),
         ]
     })
 }

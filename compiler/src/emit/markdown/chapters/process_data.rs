@@ -117,7 +117,7 @@ fn pdo_view(context: &Context<'_>, pdo: &Pdo) -> PdoView {
         about: context.paragraphs(pdo.about.as_deref()),
         facts: facts(context, pdo).join(" · "),
         layout: layout(context, pdo),
-        source: context.source_line(pdo.source.as_ref()),
+        source: context.said_line(pdo.source.as_ref(), &pdo.origin),
     }
 }
 

@@ -47,7 +47,7 @@ fn table(context: &Context<'_>, registers: &[Register]) -> Table {
     let titles = ["Address", "Register", "Length", "Master", "Drive", "Notes", "Source"];
     Table::of(titles, registers, |register| {
         // The fields have a table of their own.
-        let Register { address, length, name, ecat, drive, fields: _, about, source, origin: _ } = register;
+        let Register { address, length, name, ecat, drive, fields: _, about, source, origin } = register;
         [
             hex(*address),
             format!("**{}**", text(name)),
@@ -55,7 +55,7 @@ fn table(context: &Context<'_>, registers: &[Register]) -> Table {
             access(*ecat).into(),
             access(*drive).into(),
             context.optional(about.as_deref()),
-            context.source(source.as_ref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }
@@ -83,13 +83,13 @@ fn bits(context: &Context<'_>, register: &Register) -> FieldsView {
 }
 
 fn message(context: &Context<'_>, telegram: &Telegram) -> FieldsView {
-    let Telegram { id: _, name, address, fields, about, source, origin: _ } = telegram;
+    let Telegram { id: _, name, address, fields, about, source, origin } = telegram;
     let address = address.map_or(String::new(), |address| format!(" at {}", hex(address)));
     FieldsView {
         title: format!("{}{address}", text(name)),
         about: context.paragraphs(about.as_deref()),
         fields: self::fields(context, "Byte", fields),
-        source: context.source_line(source.as_ref()),
+        source: context.said_line(source.as_ref(), origin),
     }
 }
 

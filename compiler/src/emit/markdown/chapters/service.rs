@@ -56,7 +56,7 @@ fn master_settings(context: &Context<'_>, settings: &[MasterSetting]) -> Table {
             context.prose(&setting.value),
             if setting.per_axis { "each axis".into() } else { String::new() },
             context.optional(setting.about.as_deref()),
-            context.source(setting.source.as_ref()),
+            context.said(setting.source.as_ref(), &setting.origin),
         ]
     })
 }
@@ -64,7 +64,7 @@ fn master_settings(context: &Context<'_>, settings: &[MasterSetting]) -> Table {
 fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
     let titles = ["Parameter", "Name", "Object", "On delivery", "Range", "Unit", "What it does", "Source"];
     Table::of(titles, parameters, |parameter| {
-        let Parameter { id, name, address, about, default, min, max, symbol, values, source, origin: _ } =
+        let Parameter { id, name, address, about, default, min, max, symbol, values, source, origin } =
             parameter;
         [
             code(id),
@@ -74,7 +74,7 @@ fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
             range(min.as_ref(), max.as_ref()),
             symbol.as_deref().map_or(String::new(), text),
             effect(context, about.as_deref(), values),
-            context.source(source.as_ref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }
@@ -111,7 +111,7 @@ fn procedure_view(context: &Context<'_>, procedure: &Procedure) -> ProcedureView
         name: text(&procedure.name),
         about: context.paragraphs(procedure.about.as_deref()),
         steps: procedure.steps.iter().map(|one| step(context, one)).collect(),
-        source: context.source_line(procedure.source.as_ref()),
+        source: context.said_line(procedure.source.as_ref(), &procedure.origin),
     }
 }
 

@@ -36,7 +36,7 @@ impl Chapter for View {
         shown.then(|| Self {
             diagram: diagram::diagram(context.device),
             states: state_table(context, states),
-            functions: functions(states),
+            functions: functions(context, states),
             commands: command_table(context, commands),
             transitions: transition_table(context, transitions),
             control: control.map_or(String::new(), |control| control::commands(context, control)),
@@ -57,7 +57,7 @@ fn state_table(context: &Context<'_>, states: &[State]) -> Table {
             hex(Pattern::mask),
             hex(Pattern::value),
             state_meaning(context, state),
-            context.source(state.source.as_ref()),
+            context.said(state.source.as_ref(), &state.origin),
         ]
     })
 }
@@ -97,12 +97,15 @@ fn state_meaning(context: &Context<'_>, state: &State) -> String {
     about.chain(features).chain(causes).collect::<Vec<_>>().join("<br>")
 }
 
-fn functions(states: &[State]) -> Table {
+fn functions(context: &Context<'_>, states: &[State]) -> Table {
     let titles =
         ["State", "Brake applied", "Control power", "Motor power", "Drive function", "Configuration"];
     let told = states.iter().filter(|state| answers(state).iter().any(Option::is_some));
     Table::of(titles, told, |state| {
-        let [brake, low, high, function, configuration] = answers(state).map(answer);
+        let keys = ["brake", "low-level-power", "high-level-power", "drive-function", "configuration"];
+        let mut marks = keys.map(|key| context.mark(&state.origin, key)).into_iter();
+        let marked = |of| answer(of) + &marks.next().unwrap_or_default();
+        let [brake, low, high, function, configuration] = answers(state).map(marked);
         [format!("**{}**", text(&state.name)), brake, low, high, function, configuration]
     })
 }
@@ -124,14 +127,14 @@ fn command_table(context: &Context<'_>, commands: &[Command]) -> Table {
     let controlword = word(context, "controlword", "Controlword");
     let titles = ["Command", &controlword, "Transitions", "What it does", "Ignored in", "Source"];
     Table::of(titles, commands, |command: &Command| {
-        let Command { id: _, name, pattern, transitions, about, ignored_in, source, origin: _ } = command;
+        let Command { id: _, name, pattern, transitions, about, ignored_in, source, origin } = command;
         [
             format!("**{}**", text(name)),
             self::pattern(pattern.as_ref()),
             list(transitions.iter().map(u8::to_string)),
             context.optional(about.as_deref()),
             list(ignored_in.iter().map(|id| context.state(id))),
-            context.source(source.as_ref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }
@@ -147,7 +150,7 @@ fn transition_table(context: &Context<'_>, transitions: &[Transition]) -> Table 
             scope(transition.axes).into(),
             transition.power.as_deref().map_or(String::new(), text),
             effect(context, transition),
-            context.source(transition.source.as_ref()),
+            context.said(transition.source.as_ref(), &transition.origin),
         ]
     })
 }

@@ -29,7 +29,7 @@ impl Chapter for View {
                 context.prose(&option.reaction),
                 context.optional(option.ramp.as_deref()),
                 context.optional(option.about.as_deref()),
-                context.source(option.source.as_ref()),
+                context.said(option.source.as_ref(), &option.origin),
             ]
         });
         (!options.is_empty()).then_some(Self { options })

@@ -52,7 +52,7 @@ fn modes(context: &Context<'_>, sync_modes: &[SyncMode]) -> Table {
             mode.sync0.as_ref().map_or(String::new(), signal),
             mode.sync1.as_ref().map_or(String::new(), signal),
             context.optional(mode.about.as_deref()),
-            context.source(mode.source.as_ref()),
+            context.said(mode.source.as_ref(), &mode.origin),
         ]
     })
 }
@@ -80,7 +80,7 @@ fn cycle_times(context: &Context<'_>, times: &[CycleTime]) -> Table {
             time.min.map_or(String::new(), |least| duration(least.0)),
             list(time.choices.iter().map(|choice| duration(choice.0))),
             context.optional(time.about.as_deref()),
-            context.source(time.source.as_ref()),
+            context.said(time.source.as_ref(), &time.origin),
         ]
     })
 }
@@ -93,6 +93,6 @@ fn dead_time_view(context: &Context<'_>, dead_time: &DeadTime) -> DeadTimeView {
             let total = u64::from(dead_time.cycles) * cycle + dead_time.plus.0;
             [duration(cycle), format!("**{}**", duration(total))]
         }),
-        source: context.source_line(dead_time.source.as_ref()),
+        source: context.said_line(dead_time.source.as_ref(), &dead_time.origin),
     }
 }

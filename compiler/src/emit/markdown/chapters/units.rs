@@ -59,7 +59,7 @@ fn groups(unit: &Unit) -> Vec<(Vec<u8>, &AxisUnit)> {
 }
 
 fn row(context: &Context<'_>, unit: &Unit, first: bool, axes: &[u8], on_axis: &AxisUnit) -> [String; 9] {
-    let Unit { id, quantity, axes: _, factor, path, about, source, origin: _ } = unit;
+    let Unit { id, quantity, axes: _, factor, path, about, source, origin } = unit;
     let AxisUnit { symbol, scale } = on_axis;
     let once = |cell: String| if first { cell } else { String::new() };
     [
@@ -71,7 +71,7 @@ fn row(context: &Context<'_>, unit: &Unit, first: bool, axes: &[u8], on_axis: &A
         scale.map_or(String::new(), |scale| example(scale, symbol)),
         once(factor.map_or(String::new(), |address| context.address(address))),
         once(context.optional(about.as_deref())),
-        context.source(source.as_ref()),
+        context.said(source.as_ref(), origin),
     ]
 }
 

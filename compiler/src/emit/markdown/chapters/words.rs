@@ -43,14 +43,14 @@ impl Chapter for View {
 }
 
 fn word_view(context: &Context<'_>, word: &Word) -> WordView {
-    let Word { id, name, address, bits, fields, about, source, origin: _ } = word;
+    let Word { id, name, address, bits, fields, about, source, origin } = word;
     WordView {
         anchor: context.word_id(id),
         name: text(name),
         facts: format!("The {} of {}.", width(*bits), context.named(*address)),
         about: context.paragraphs(about.as_deref()),
         fields: table("Bit", fields, |field| meaning(context, word, field)),
-        source: context.source_line(source.as_ref()),
+        source: context.said_line(source.as_ref(), origin),
     }
 }
 

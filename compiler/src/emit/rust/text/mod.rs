@@ -40,7 +40,7 @@ impl Emitter for Rust {
         "Rust without std: typed dictionary, process data, words, states, errors"
     }
 
-    fn emit(&self, family: &Checked<Family>) -> String {
+    fn emit(&self, family: &Checked<Family>, _: &crate::emit::Options) -> String {
         text(family, &Options::default())
     }
 }

@@ -7,6 +7,7 @@ use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
+use crate::source::Origin;
 
 /// What there is to say of an object.
 pub(super) enum Detail {
@@ -97,6 +98,7 @@ fn entries(context: &Context<'_>, object: &Object) -> Vec<String> {
 
 /// What objects and entries both can say.
 struct Facts<'a> {
+    origin: &'a Origin,
     about: Option<&'a str>,
     note: Option<&'a str>,
     functional: bool,
@@ -121,9 +123,10 @@ impl<'a> Facts<'a> {
             derived: _,
             leading: _,
             source: _,
-            origin: _,
+            origin,
         } = object;
         Self {
+            origin,
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
@@ -153,9 +156,10 @@ impl<'a> Facts<'a> {
             written: _,
             trigger: _,
             source: _,
-            origin: _,
+            origin,
         } = entry;
         Self {
+            origin,
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
@@ -166,8 +170,9 @@ impl<'a> Facts<'a> {
     fn sentences(&self, context: &Context<'_>) -> Vec<String> {
         let functional =
             (!self.functional).then(|| "It is there for compatibility only and does nothing.".into());
-        let about = self.about.map(|about| sentence(&context.prose(about)));
-        let note = self.note.map(|note| sentence(&context.prose(note)));
+        let marked = |key: &str, text: &str| sentence(&context.prose(text)) + &context.mark(self.origin, key);
+        let about = self.about.map(|about| marked("about", about));
+        let note = self.note.map(|note| marked("note", note));
         let parameter =
             self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
         [functional, about, note, parameter].into_iter().flatten().collect()

@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::is_mapping;
-use crate::emit::markdown::context::Context;
+use crate::emit::markdown::context::{Context, assumption_id};
 use crate::emit::markdown::inline::{link, small};
 use crate::model::{Category, Entry, Object, Place, Provenance, provenance};
+use crate::source::Origin;
 
 /// The profile says so, and the description of the device nothing else.
 const PROFILE: &str = "†";
@@ -35,22 +36,57 @@ impl Marks {
 
     /// What is to be marked of an object.
     pub(super) fn object(&mut self, context: &Context<'_>, object: &Object) -> String {
+        if !context.editorial {
+            return String::new();
+        }
         let at = Place::from(object.index);
-        let about = |place: &Place| (place.section, &place.key) == (at.section, &at.key);
-        let assumed = context.device.assumptions.iter().any(|assumption| about(&assumption.at));
+        let assumed = context.device.assumptions.iter().find(|assumption| assumption.at == at);
+        let assumed = assumed.map(|assumption| {
+            self.used.insert(ASSUMED);
+            format!("<sup>{}</sup>", link(ASSUMED, assumption_id(assumption)))
+        });
         let provenance = match provenance(&object.origin, "name") {
             _ if object.derived => Some(DERIVED),
             Provenance::Profile => Some(PROFILE),
             _ => None,
         };
-        let marks = provenance.into_iter().chain(assumed.then_some(ASSUMED));
-        marks.map(|mark| self.mark(mark)).collect()
+        let provenance = provenance.map(|mark| self.mark(mark));
+        provenance.into_iter().chain(assumed).collect()
     }
 
     /// What is to be marked of the type of an entry.
-    pub(super) fn data_type(&mut self, entry: &Entry) -> String {
-        let marked = provenance(&entry.origin, "type") == Provenance::Profile && !self.all_types;
-        if marked { self.mark(PROFILE) } else { String::new() }
+    pub(super) fn data_type(&mut self, context: &Context<'_>, entry: &Entry) -> String {
+        match provenance(&entry.origin, "type") {
+            Provenance::Profile if self.all_types => String::new(),
+            _ => self.of(context, &entry.origin, "type"),
+        }
+    }
+
+    /// What a cell says by these keys, with marks; nothing stays nothing.
+    pub(super) fn fact(
+        &mut self,
+        context: &Context<'_>,
+        entry: &Entry,
+        keys: &[&str],
+        text: String,
+    ) -> String {
+        if text.is_empty() {
+            return text;
+        }
+        let mut marks: Vec<String> = keys.iter().map(|key| self.of(context, &entry.origin, key)).collect();
+        marks.dedup();
+        text + &marks.concat()
+    }
+
+    fn of(&mut self, context: &Context<'_>, origin: &Origin, key: &str) -> String {
+        match provenance(origin, key) {
+            Provenance::Profile if context.editorial => self.mark(PROFILE),
+            Provenance::Assumed(_) if context.editorial => {
+                self.used.insert(ASSUMED);
+                context.mark(origin, key)
+            }
+            _ => context.mark(origin, key),
+        }
     }
 
     /// Whether a profile demands an entry, in a letter.

@@ -68,15 +68,16 @@ impl<'c, 'a> Lines<'c, 'a> {
 
     fn facts(&mut self, entry: &Entry, need: Category) -> [String; 8] {
         let context = self.context;
+        let window = entry.written.map_or(String::new(), |window| code(window.name()));
         [
-            format!("{}{}", entry.data_type, self.marks.data_type(entry)),
-            access(entry.access).into(),
-            mappable(entry.pdo).into(),
-            context.default(entry),
-            context.unit(entry),
-            context.range(entry),
+            format!("{}{}", entry.data_type, self.marks.data_type(context, entry)),
+            self.marks.fact(context, entry, &["access"], access(entry.access).into()),
+            self.marks.fact(context, entry, &["pdo"], mappable(entry.pdo).into()),
+            self.marks.fact(context, entry, &["default"], context.default(entry)),
+            self.marks.fact(context, entry, &["unit"], context.unit(entry)),
+            self.marks.fact(context, entry, &["min", "max"], context.range(entry)),
             self.marks.category(need),
-            entry.written.map_or(String::new(), |window| code(window.name())),
+            self.marks.fact(context, entry, &["written"], window),
         ]
     }
 }

@@ -7,7 +7,7 @@ use crate::model::{DeviceControl, Refusal};
 /// What becomes of a wrong command.
 pub(super) fn commands(context: &Context<'_>, control: &DeviceControl) -> String {
     // What is left out stands beside the changes of mode.
-    let DeviceControl { wrong_command, about, source, wrong_mode: _, modes_selectable_in: _, origin: _ } =
+    let DeviceControl { wrong_command, about, source, wrong_mode: _, modes_selectable_in: _, origin } =
         control;
     let refusal = match wrong_command {
         Refusal::Ignored => "A command that leads nowhere in the present state is ignored.",
@@ -15,14 +15,15 @@ pub(super) fn commands(context: &Context<'_>, control: &DeviceControl) -> String
             "A command that leads nowhere in the present state, or bits that make none, are a fault: transition 13."
         }
     };
-    let lines = [refusal.into(), context.paragraphs(about.as_deref()), context.source_line(source.as_ref())];
+    let lines =
+        [refusal.into(), context.paragraphs(about.as_deref()), context.said_line(source.as_ref(), origin)];
     paragraphs(&lines)
 }
 
 /// When a mode can be selected, and what becomes of a wrong one.
 pub(in crate::emit::markdown::chapters) fn modes(context: &Context<'_>, control: &DeviceControl) -> String {
     // What is left out stands beside the commands.
-    let DeviceControl { wrong_mode, modes_selectable_in, source, wrong_command: _, about: _, origin: _ } =
+    let DeviceControl { wrong_mode, modes_selectable_in, source, wrong_command: _, about: _, origin } =
         control;
     let states = list(modes_selectable_in.iter().map(|id| context.state(id)));
     let selectable = match modes_selectable_in.as_slice() {
@@ -33,7 +34,7 @@ pub(in crate::emit::markdown::chapters) fn modes(context: &Context<'_>, control:
         Refusal::Ignored => "A change that the drive does not make is ignored.",
         Refusal::Fault => "A change that the drive does not make is a fault: transition 13.",
     };
-    paragraphs(&[format!("{selectable} {refusal}").trim().into(), context.source_line(source.as_ref())])
+    paragraphs(&[format!("{selectable} {refusal}").trim().into(), context.said_line(source.as_ref(), origin)])
 }
 
 fn paragraphs(lines: &[String]) -> String {
