@@ -3,8 +3,8 @@
 //! Physik Instrumente C-887.53x: Hexapod controller with EtherCAT interface.
 //!
 //! Moves the platform of a hexapod. The master commands six Cartesian axes in process data; the
-//! controller turns their target positions into the motion of the six struts. To the master it is one
-//! multi-axis drive after CiA 402.
+//! controller turns their target positions into motion commands for the six drives of the hexapod. To
+//! the master it is one multi-axis drive after CiA 402.
 //!
 //! Each axis has a drive state machine of its own, but all six drive one platform. The controlword and
 //! the mode of operation are taken from the first axis and hold for all; the statusword is the same on
@@ -60,13 +60,7 @@ use ::devc_runtime::{Device, error};
 ///
 /// Models: C-887.53, C-887.531, C-887.532, C-887.533.
 ///
-/// Source: p. 21, 0x1018.
-///
-/// Contradicted, revision: The only number that the manual gives. The vendor's ESI file, which nobody
-/// here has, may have another. 0, until a device says otherwise.
-///
-/// Contradicted, serial: The digits in a row are no number of a device, and all devices would share it.
-/// Unknown; each device has its own.
+/// Source: p. 21.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct C887;
 
@@ -115,7 +109,7 @@ impl Axis {
 pub mod objects {
     use super::*;
 
-    /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (p. 21 to 31).
+    /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (p. 21).
     ///
     /// The device profile in the lower half, what kind of device it describes in the upper half.
     ///
@@ -123,31 +117,33 @@ pub mod objects {
     /// half for one with several. Six axes, each a CiA 402 drive.
     pub const DEVICE_TYPE: Entry<C887, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-    /// `0x1001:00` Error register. UINT8, ro, TxPDO, default 0 (p. 21 to 31).
+    /// `0x1001:00` Error register. UINT8, ro, default 0 (p. 18, p. 21).
     ///
-    /// Which kinds of error the device has.
-    pub const ERROR_REGISTER: Entry<C887, ErrorRegister, ReadOnly, Tx> = Entry::new(0x1001, 0);
+    /// The state of the system: a bit is 1 if the error that it stands for has occurred.
+    ///
+    /// Cleared by a fault reset (transition 15); through 0x5010:04 if none was sent.
+    pub const ERROR_REGISTER: Entry<C887, ErrorRegister, ReadOnly> = Entry::new(0x1001, 0);
 
-    /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT" (p. 21 to 31).
+    /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT" (p. 21).
     ///
     /// The name of the device.
     pub const MANUFACTURER_DEVICE_NAME: Entry<C887, str, ReadOnly> = Entry::new(0x1008, 0);
 
-    /// `0x1009:00` Manufacturer hardware version. STRING(1), ro, default "0" (p. 21 to 31).
+    /// `0x1009:00` Manufacturer hardware version. STRING(32), ro, default "0" (p. 21).
     ///
     /// The version of the hardware.
     pub const MANUFACTURER_HARDWARE_VERSION: Entry<C887, str, ReadOnly> = Entry::new(0x1009, 0);
 
-    /// `0x100A:00` Manufacturer software version. STRING(1), ro, default "0" (p. 21 to 31).
+    /// `0x100A:00` Manufacturer software version. STRING(32), ro, default "0" (p. 21).
     ///
     /// The version of the firmware.
     pub const MANUFACTURER_SOFTWARE_VERSION: Entry<C887, str, ReadOnly> = Entry::new(0x100A, 0);
 
-    /// `0x1018` Identity object.
+    /// `0x1018` Idendity object.
     ///
     /// Which device it is; the same as in the EEPROM.
     ///
-    /// Source: p. 21 to 31.
+    /// Source: p. 21.
     pub mod identity_object {
         use super::*;
 
@@ -177,7 +173,7 @@ pub mod objects {
 
     /// `0x1600` RxPDO - CSP.
     ///
-    /// Source: p. 21 to 24.
+    /// Source: p. 21, p. 22.
     pub mod rx_pdo_1600 {
         use super::*;
 
@@ -204,7 +200,7 @@ pub mod objects {
 
     /// `0x1601` RxPDO - PP.
     ///
-    /// Source: p. 21 to 24.
+    /// Source: p. 21, p. 22.
     pub mod rx_pdo_1601 {
         use super::*;
 
@@ -241,7 +237,7 @@ pub mod objects {
 
     /// `0x1A00` TxPDO - CSP.
     ///
-    /// Source: p. 21 to 24.
+    /// Source: p. 22 to 24.
     pub mod tx_pdo_1a00 {
         use super::*;
 
@@ -273,7 +269,7 @@ pub mod objects {
 
     /// `0x1A01` TxPDO - PP.
     ///
-    /// Source: p. 21 to 24.
+    /// Source: p. 23, p. 24.
     pub mod tx_pdo_1a01 {
         use super::*;
 
@@ -302,7 +298,7 @@ pub mod objects {
     ///
     /// What each sync manager is used for.
     ///
-    /// Source: p. 21 to 31.
+    /// Source: p. 24.
     pub mod sync_manager_communication_type {
         use super::*;
 
@@ -335,11 +331,11 @@ pub mod objects {
     ///
     /// The PDOs of sync manager 0: none, for it carries the mailbox to the device.
     ///
-    /// Source: p. 21 to 31.
+    /// Source: p. 24.
     pub mod sync_manager_0_pdo_assignment {
         use super::*;
 
-        /// `0x1C10:00` Highest subindex supported. UINT8, ro, default 0 (p. 21 to 31).
+        /// `0x1C10:00` Highest subindex supported. UINT8, ro, default 0 (p. 24).
         ///
         /// The PDOs of sync manager 0: none, for it carries the mailbox to the device.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C10, 0);
@@ -349,21 +345,21 @@ pub mod objects {
     ///
     /// The PDOs of sync manager 1: none, for it carries the mailbox from the device.
     ///
-    /// Source: p. 21 to 31.
+    /// Source: p. 24.
     pub mod sync_manager_1_pdo_assignment {
         use super::*;
 
-        /// `0x1C11:00` Highest subindex supported. UINT8, ro, default 0 (p. 21 to 31).
+        /// `0x1C11:00` Highest subindex supported. UINT8, ro, default 0 (p. 24).
         ///
         /// The PDOs of sync manager 1: none, for it carries the mailbox from the device.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C11, 0);
     }
 
-    /// `0x1C12` Sync Manager 2 PDO assignment.
+    /// `0x1C12` Sync Manage r2 PDO assignment.
     ///
     /// The RxPDOs that sync manager 2 carries to the device, by index and in order.
     ///
-    /// Source: p. 21 to 31.
+    /// Source: p. 24.
     pub mod sync_manager_2_pdo_assignment {
         use super::*;
 
@@ -394,11 +390,11 @@ pub mod objects {
         pub const ENTRY_7: Entry<C887, u16, ReadWrite> = Entry::new(0x1C12, 7);
     }
 
-    /// `0x1C13` Sync Manager 3 PDO assignment.
+    /// `0x1C13` Sync Manager3 PDO assignment.
     ///
     /// The TxPDOs that sync manager 3 carries from the device, by index and in order.
     ///
-    /// Source: p. 21 to 31.
+    /// Source: p. 24.
     pub mod sync_manager_3_pdo_assignment {
         use super::*;
 
@@ -435,7 +431,7 @@ pub mod objects {
         /// `0x1C32:00` Highest subindex supported. UINT8, ro, default 32.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C32, 0);
 
-        /// `0x1C32:01` Synchronization type. UINT16, rw.
+        /// `0x1C32:01` Synchronization type. UINT16, rw, default 2.
         ///
         /// What starts the handling of the outputs.
         pub const SYNCHRONIZATION_TYPE: Entry<C887, SynchronizationType, ReadWrite> = Entry::new(0x1C32, 1);
@@ -450,13 +446,13 @@ pub mod objects {
         /// How much later than the event that starts it the outputs take effect.
         pub const SHIFT_TIME: Entry<C887, u32, ReadOnly> = Entry::new(0x1C32, 3);
 
-        /// `0x1C32:04` Synchronization types supported. UINT16, ro.
+        /// `0x1C32:04` Synchronization types supported. UINT16, ro, default 4.
         ///
         /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
         /// clocks, bits 5 and 6 those to shift the outputs, bit 14 that times depend on what is configured.
         pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<C887, u16, ReadOnly> = Entry::new(0x1C32, 4);
 
-        /// `0x1C32:05` Minimum cycle time. UINT32, ro.
+        /// `0x1C32:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
         ///
         /// The shortest cycle that the device can keep up with.
         pub const MINIMUM_CYCLE_TIME: Entry<C887, u32, ReadOnly> = Entry::new(0x1C32, 5);
@@ -497,10 +493,10 @@ pub mod objects {
         /// How often the cycle was too short for the device to finish its work.
         pub const CYCLE_TIME_TOO_SMALL: Entry<C887, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-        /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+        /// `0x1C32:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master.
-        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C32, 32);
     }
 
     /// `0x1C33` Configuration DC modus.
@@ -517,7 +513,7 @@ pub mod objects {
         /// `0x1C33:00` Highest subindex supported. UINT8, ro, default 32.
         pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<C887, u8, ReadOnly> = Entry::new(0x1C33, 0);
 
-        /// `0x1C33:01` Synchronization type. UINT16, rw.
+        /// `0x1C33:01` Synchronization type. UINT16, rw, default 2.
         ///
         /// What starts the handling of the inputs.
         pub const SYNCHRONIZATION_TYPE: Entry<C887, SmInputParameterSynchronizationType, ReadWrite> =
@@ -533,13 +529,13 @@ pub mod objects {
         /// How much later than the event that starts it the inputs are read.
         pub const SHIFT_TIME: Entry<C887, u32, ReadWrite> = Entry::new(0x1C33, 3);
 
-        /// `0x1C33:04` Synchronization types supported. UINT16, ro.
+        /// `0x1C33:04` Synchronization types supported. UINT16, ro, default 4.
         ///
         /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
         /// clocks, bits 5 and 6 those to shift the inputs, bit 14 that times depend on what is configured.
         pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<C887, u16, ReadOnly> = Entry::new(0x1C33, 4);
 
-        /// `0x1C33:05` Minimum cycle time. UINT32, ro.
+        /// `0x1C33:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
         ///
         /// The shortest cycle that the device can keep up with; the same as for the outputs.
         pub const MINIMUM_CYCLE_TIME: Entry<C887, u32, ReadOnly> = Entry::new(0x1C33, 5);
@@ -579,20 +575,20 @@ pub mod objects {
         /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
         pub const CYCLE_TIME_TOO_SMALL: Entry<C887, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-        /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+        /// `0x1C33:20` Sync error. BOOL, ro.
         ///
         /// Whether the device is out of step with the master; the same as for the outputs.
-        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+        pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C33, 32);
     }
 
     /// `0x5000` Work coordinate system.
     ///
-    /// Where the work coordinate system lies. It takes effect with 0x5010:01.
+    /// Defines the work coordinate system, which 0x5010:01 activates.
     ///
     /// Set to its default on delivery and active from power-on, as the EtherCAT interface is. GCS commands
     /// cannot change it meanwhile.
     ///
-    /// Source: p. 5, p. 18, p. 24.
+    /// Source: p. 5, p. 14, p. 17, p. 18, p. 24.
     pub mod work_coordinate_system {
         use super::*;
 
@@ -626,12 +622,12 @@ pub mod objects {
 
     /// `0x5001` Tool coordinate system.
     ///
-    /// Where the tool coordinate system lies. It takes effect with 0x5010:02.
+    /// Defines the tool coordinate system, which 0x5010:02 activates.
     ///
     /// Set to its default on delivery and active from power-on, as the EtherCAT interface is. GCS commands
     /// cannot change it meanwhile.
     ///
-    /// Source: p. 5, p. 18, p. 24, p. 25.
+    /// Source: p. 5, p. 14, p. 17, p. 18, p. 24, p. 25.
     pub mod tool_coordinate_system {
         use super::*;
 
@@ -715,7 +711,7 @@ pub mod objects {
 
     /// `0x5010` Buffered parameters.
     ///
-    /// Writing 1 to an entry sets it off.
+    /// Writing 1 to an entry sets off what it stands for.
     ///
     /// Source: p. 17, p. 18, p. 25.
     pub mod buffered_parameters {
@@ -732,28 +728,33 @@ pub mod objects {
 
         /// `0x5010:01` Work coordinates. INT32, rw, default 0.
         ///
-        /// Activates the work coordinate system, which changes the position of the axes; so mode 0 comes first.
+        /// Activates the work coordinate system, which changes the present position of all axes; so the mode of
+        /// operation has to be 0 before.
         ///
-        /// Writing 1: activate the work coordinate system, in mode 0 only.
+        /// Writing 1: activate the work coordinate system, which changes the position of all axes, in mode 0
+        /// only.
         pub const WORK_COORDINATES: Entry<C887, i32, ReadWrite> = Entry::new(0x5010, 1);
 
         /// `0x5010:02` Tool coordinates. INT32, rw, default 0.
         ///
-        /// Activates the tool coordinate system, which changes the position of the axes; so mode 0 comes first.
+        /// Activates the tool coordinate system, which changes the present position of all axes; so the mode of
+        /// operation has to be 0 before.
         ///
-        /// Writing 1: activate the tool coordinate system, in mode 0 only.
+        /// Writing 1: activate the tool coordinate system, which changes the position of all axes, in mode 0
+        /// only.
         pub const TOOL_COORDINATES: Entry<C887, i32, ReadWrite> = Entry::new(0x5010, 2);
 
         /// `0x5010:03` Direction for Travelrange Calculation. INT32, rw, default 0.
         ///
-        /// Calculates how far the platform can go in the direction of 0x5011 from where it is.
+        /// Starts the calculation of how far the platform can go in the direction of 0x5011 from its present
+        /// position.
         ///
         /// Writing 1: calculate the travel range.
         pub const DIRECTION_FOR_TRAVELRANGE_CALCULATION: Entry<C887, i32, ReadWrite> = Entry::new(0x5010, 3);
 
         /// `0x5010:04` Reset ErrorCode. INT32, rw, default 0.
         ///
-        /// Clears what the error objects show, if no fault reset was sent.
+        /// Resets 0x1001 and 0x603F if no fault reset has been sent.
         ///
         /// Writing 1: reset the error register and the error codes.
         pub const RESET_ERRORCODE: Entry<C887, i32, ReadWrite> = Entry::new(0x5010, 4);
@@ -761,7 +762,8 @@ pub mod objects {
 
     /// `0x5011` Direction for Travelrange.
     ///
-    /// The direction to ask for: what each axis contributes, with its sign. At least one is not 0.
+    /// The direction to ask for: the components of the axes on its vector. They can be negative; at least
+    /// one is other than 0.
     ///
     /// Source: p. 17, p. 25.
     pub mod direction_for_travelrange {
@@ -791,9 +793,10 @@ pub mod objects {
 
     /// `0x5012` Available Travelrange.
     ///
-    /// The farthest absolute position that can be commanded in the direction of 0x5011, as of the query.
+    /// The farthest absolute position that can be commanded in the direction of 0x5011 from the position at
+    /// the time of the query.
     ///
-    /// Source: p. 17, p. 25, p. 26.
+    /// Source: p. 14, p. 17, p. 18, p. 25, p. 26.
     pub mod available_travelrange {
         use super::*;
 
@@ -845,12 +848,13 @@ pub mod objects {
 
     /// `0x5014` Maximum Velocity and Acceleration.
     ///
-    /// How fast the platform may move; filled in by the travel range query.
+    /// How fast the platform may move; filled in by the travel range query. The text says angular where the
+    /// dictionary says rotational.
     ///
     /// Where motions superpose, the velocities hold for the present position only and can be lower along
     /// the way.
     ///
-    /// Source: p. 17, p. 18, p. 26.
+    /// Source: p. 14, p. 17, p. 18, p. 26.
     pub mod maximum_velocity_and_acceleration {
         use super::*;
 
@@ -874,39 +878,42 @@ pub mod objects {
             Entry::new(0x5014, 4).measured_in(units::SDO_ANGULAR_ACCELERATION);
     }
 
-    /// `0x603F:00` Error code. UINT16, ro, TxPDO, default 0 (p. 18, p. 26).
+    /// `0x603F:00` Error code. UINT16, ro, default 0 (p. 13, p. 18, p. 26 to 30).
     ///
-    /// The code of the last error that occurred in the drive.
+    /// Shows errors, and the causes of some warnings, by the emergency error codes of IEC 61800-7-201. Many
+    /// have a GCS error that they correspond to: the vendor's code.
     ///
     /// Many of the GCS errors shown here only inform: they neither set off the fault reaction nor stop the
-    /// motion.
+    /// motion. Cleared by a fault reset (transition 15); through 0x5010:04 if none was sent.
     ///
     /// It does nothing on Y, Z, U, V, W.
-    pub const fn error_code(axis: Axis) -> Entry<C887, ErrorCode, ReadOnly, Tx> {
+    pub const fn error_code(axis: Axis) -> Entry<C887, ErrorCode, ReadOnly> {
         axis.entry(0x603F, 0x800, 0)
     }
 
-    /// `0x6040:00` Controlword. UINT16, rw, RxPDO, default 0 (p. 11, p. 26).
+    /// `0x6040:00` Controlword. UINT16, rw, RxPDO, default 0 (p. 11, p. 26 to 30).
     ///
-    /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+    /// Sets off the transitions of the drive state machine, and has bits whose function depends on the mode
+    /// of operation.
     ///
-    /// Only the controlword of the first axis is taken, and it acts on all axes.
+    /// Its bits are set and accepted on the first axis only, and act on all axes.
     pub const fn controlword(axis: Axis) -> Entry<C887, Controlword, ReadWrite, Rx> {
         axis.entry(0x6040, 0x800, 0)
     }
 
-    /// `0x6041:00` Statusword. UINT16, ro, TxPDO, default 0 (p. 12, p. 26).
+    /// `0x6041:00` Statusword. UINT16, ro, TxPDO, default 0 (p. 12, p. 13, p. 26 to 30).
     ///
-    /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+    /// Shows the state of the drive state machine, and has bits whose meaning depends on the mode of
+    /// operation.
     ///
-    /// The same on all axes.
+    /// Mirrored: the same on all axes.
     pub const fn statusword(axis: Axis) -> Entry<C887, Statusword, ReadOnly, Tx> {
         axis.entry(0x6041, 0x800, 0)
     }
 
-    /// `0x6060:00` Modes of operation. INT8, rw, RxPDO, default 0 (p. 11, p. 26).
+    /// `0x6060:00` Modes of operation. INT8, rw, RxPDO, default 0 (p. 11, p. 21, p. 26 to 30).
     ///
-    /// The mode of operation that is asked for; 0x6061 tells when it is active.
+    /// Selects the mode of operation.
     ///
     /// Set on the first axis for all axes, in the state Operation enabled.
     ///
@@ -915,37 +922,37 @@ pub mod objects {
         axis.entry(0x6060, 0x800, 0)
     }
 
-    /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO, default 0 (p. 11, p. 26).
+    /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO, default 0 (p. 11, p. 17, p. 26 to 30).
     ///
-    /// The mode of operation that is active.
+    /// Shows the present mode of operation.
     ///
-    /// Changes once the action under way has finished; 0 after an error during the change.
+    /// Changes once the action under way has finished; 0 after an error during the change, and once the
+    /// transition of a quick stop is over.
     pub const fn modes_of_operation_display(axis: Axis) -> Entry<C887, i8, ReadOnly, Tx> {
         axis.entry(0x6061, 0x800, 0)
     }
 
-    /// `0x6064:00` Position actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
+    /// `0x6064:00` Position actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000 (p. 6, p. 14,
+    /// p. 26 to 31).
     ///
-    /// The measured position, in position units.
+    /// Where the axis is. The positions that the device sends are absolute.
     pub const fn position_actual_value(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx, Motion<Length, Angle>> {
         axis.entry(0x6064, 0x800, 0).measured_in(units::position(axis))
     }
 
-    /// `0x607A:00` Target position. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
+    /// `0x607A:00` Target position. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000 (p. 14 to 16, p. 26
+    /// to 31).
     ///
-    /// The position to move to: the end of a move in profile position mode, the next point of the path in
-    /// cyclic synchronous position mode.
+    /// Where the axis is to be: the Cartesian position that the master gives every cycle in CSP.
     pub const fn target_position(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
         axis.entry(0x607A, 0x800, 0).measured_in(units::position(axis))
     }
 
     /// `0x607D` Software position limit.
     ///
-    /// The least and the greatest position that may be demanded or reached.
+    /// Not among the objects of any mode; what it does here is not said.
     ///
-    /// Source: p. 21 to 31.
-    ///
-    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+    /// Source: p. 26 to 31.
     pub mod software_position_limit {
         use super::*;
 
@@ -954,33 +961,29 @@ pub mod objects {
             axis.entry(0x607D, 0x800, 0)
         }
 
-        /// `0x607D:01` Min position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        ///
-        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+        /// `0x607D:01` Min position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
         pub const fn min_position_limit(
             axis: Axis,
-        ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
+        ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
             axis.entry(0x607D, 0x800, 1).measured_in(units::position(axis))
         }
 
-        /// `0x607D:02` Max position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        ///
-        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
+        /// `0x607D:02` Max position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
         pub const fn max_position_limit(
             axis: Axis,
-        ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
+        ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
             axis.entry(0x607D, 0x800, 2).measured_in(units::position(axis))
         }
     }
 
     /// `0x6093` Position factor.
     ///
-    /// A fraction that relates position units to increments. Earlier editions of the profile have it; later
-    /// ones use gear ratio and feed constant.
+    /// The scale of the positions and velocities in process data.
     ///
-    /// Position = raw value × numerator / denominator, in mm or deg.
+    /// Position actual value = position internal value × numerator / denominator, in mm or deg; the
+    /// internal value is what process data carries. The master has to be set to the same numbers.
     ///
-    /// Source: p. 14, p. 26.
+    /// Source: p. 6, p. 14, p. 26 to 31.
     pub mod position_factor {
         use super::*;
 
@@ -989,32 +992,30 @@ pub mod objects {
             axis.entry(0x6093, 0x800, 0)
         }
 
-        /// `0x6093:01` Numerator. INT32, rw, RxPDO, default 1.
-        pub const fn numerator(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
+        /// `0x6093:01` Numerator. INT32, rw, default 1.
+        pub const fn numerator(axis: Axis) -> Entry<C887, i32, ReadWrite> {
             axis.entry(0x6093, 0x800, 1)
         }
 
-        /// `0x6093:02` Denominator. INT32, rw, RxPDO, default 100000.
-        pub const fn denominator(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx> {
+        /// `0x6093:02` Denominator. INT32, rw, default 100000.
+        pub const fn denominator(axis: Axis) -> Entry<C887, i32, ReadWrite> {
             axis.entry(0x6093, 0x800, 2)
         }
     }
 
-    /// `0x6098:00` Homing method. INT8, rw, RxPDO, default 0 (p. 21 to 31).
+    /// `0x6098:00` Homing method. INT8, rw, default 0 (p. 26 to 31).
     ///
-    /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
+    /// Not among the objects of the homing mode; what it does here is not said.
     ///
     /// It does nothing on Y, Z, U, V, W.
-    pub const fn homing_method(axis: Axis) -> Entry<C887, i8, ReadWrite, Rx> {
+    pub const fn homing_method(axis: Axis) -> Entry<C887, i8, ReadWrite> {
         axis.entry(0x6098, 0x800, 0)
     }
 
-    /// `0x60B0:00` Position offset. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000 (p. 21 to 31).
+    /// `0x60B0:00` Position offset. INT32, rw, default 0, in mm or deg ÷ 100000 (p. 26 to 31).
     ///
-    /// Added to the target position in cyclic synchronous position mode.
-    ///
-    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
-    pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Rx, Motion<Length, Angle>> {
+    /// Not among the objects of any mode; what it does here is not said.
+    pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
         axis.entry(0x60B0, 0x800, 0).measured_in(units::position(axis))
     }
 
@@ -1023,7 +1024,7 @@ pub mod objects {
     /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
     /// 10^index seconds.
     ///
-    /// Source: p. 21 to 31.
+    /// Source: p. 26 to 31.
     pub mod interpolation_time_period {
         use super::*;
 
@@ -1034,56 +1035,50 @@ pub mod objects {
             axis.entry(0x60C2, 0x800, 0)
         }
 
-        /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only, default 1.
+        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written at PS, default 1.
         ///
         /// It does nothing on Y, Z, U, V, W.
-        pub const fn interpolation_time_period_value(axis: Axis) -> Entry<C887, u8, ReadWrite, Rx> {
+        pub const fn interpolation_time_period_value(axis: Axis) -> Entry<C887, u8, ReadWrite> {
             axis.entry(0x60C2, 0x800, 1)
         }
 
-        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only, default -3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, written at PS, default -3.
         ///
         /// It does nothing on Y, Z, U, V, W.
-        pub const fn interpolation_time_index(axis: Axis) -> Entry<C887, i8, ReadWrite, Rx> {
+        pub const fn interpolation_time_index(axis: Axis) -> Entry<C887, i8, ReadWrite> {
             axis.entry(0x60C2, 0x800, 2)
         }
     }
 
     /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000 (p. 16,
-    /// p. 26).
+    /// p. 26 to 31).
     ///
-    /// The demanded position less the actual one, in position units.
-    ///
-    /// Calculated by the controller.
+    /// The following error, calculated by the controller.
     pub const fn following_error_actual_value(
         axis: Axis,
     ) -> Entry<C887, i32, ReadOnly, Tx, Motion<Length, Angle>> {
         axis.entry(0x60F4, 0x800, 0).measured_in(units::position(axis))
     }
 
-    /// `0x60FD:00` Digital Inputs. INT32, ro, TxPDO, default 0 (p. 21 to 31).
+    /// `0x60FD:00` Digital Inputs. INT32, ro, default 0 (p. 26 to 31).
     ///
-    /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
-    /// half.
+    /// Not among the objects of any mode; which inputs there are is not said.
     ///
     /// It does nothing on Y, Z, U, V, W.
-    pub const fn digital_inputs(axis: Axis) -> Entry<C887, i32, ReadOnly, Tx> {
+    pub const fn digital_inputs(axis: Axis) -> Entry<C887, i32, ReadOnly> {
         axis.entry(0x60FD, 0x800, 0)
     }
 
-    /// `0x60FF:00` Target velocity. INT32, rw, RxPDO, default 0, in mm/s or deg/s ÷ 100000 (p. 21 to 31).
+    /// `0x60FF:00` Target velocity. INT32, rw, default 0, in mm/s or deg/s ÷ 100000 (p. 26 to 31).
     ///
-    /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
-    /// units.
-    ///
-    /// Assumed, unit: the manual gives none for this object; it scales velocities as positions, p. 14.
+    /// Not among the objects of any mode; what it does here is not said.
     pub const fn target_velocity(
         axis: Axis,
-    ) -> Entry<C887, i32, ReadWrite, Rx, Motion<Velocity, AngularVelocity>> {
+    ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Velocity, AngularVelocity>> {
         axis.entry(0x60FF, 0x800, 0).measured_in(units::velocity(axis))
     }
 
-    /// `0x6502:00` Supported drive modes. UINT32, ro, default 160 (p. 21 to 31).
+    /// `0x6502:00` Supported drive modes. UINT32, ro, default 0 (p. 26 to 31).
     ///
     /// The modes of operation that the drive knows, a bit for each.
     ///
@@ -1093,13 +1088,9 @@ pub mod objects {
         axis.entry(0x6502, 0x800, 0)
     }
 
-    /// `0x67FF:00` Device profile number. UINT32, ro, default 0 (p. 21 to 31).
+    /// `0x67FF:00` Device profile number. UINT32, ro, default 0 (p. 26 to 31).
     ///
-    /// What 0x1000 says of a device with one drive: the profile and the kind of drive, here for each drive
-    /// of a device with several.
-    ///
-    /// Contradicted, default: 0x1000 and the whole text say CiA 402; the manual calls the object device
-    /// profile number, and 0 names no profile. Profile 402 on every axis.
+    /// The number of the profile that the axis follows.
     pub const fn device_profile_number(axis: Axis) -> Entry<C887, u32, ReadOnly> {
         axis.entry(0x67FF, 0x800, 0)
     }
@@ -1107,7 +1098,8 @@ pub mod objects {
 
 /// `0x6040` Controlword.
 ///
-/// Bits 0 to 3 and 7 together make a command. Only the word of the first axis is taken, for all axes.
+/// Bits 0 to 3 and 7 together make a command. The bits are set and accepted on the first axis only, and
+/// act on all.
 ///
 /// Source: p. 11, p. 12, figure 5.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -1165,7 +1157,7 @@ impl Controlword {
     ///
     /// Only the rising edge counts.
     ///
-    /// On the rising edge: Leaves the state fault if its cause is gone.
+    /// On the rising edge: Transition 15, in every state but Switch on disabled and Fault reaction active.
     pub const fn fault_reset(self) -> bool {
         self.0 & 1 << 7 != 0
     }
@@ -1177,6 +1169,8 @@ impl Controlword {
     }
 
     /// Bit 4 in mode 6 (hm): homing operation start.
+    ///
+    /// Called Start Homing on page 15.
     ///
     /// On the rising edge: The reference move starts.
     ///
@@ -1193,7 +1187,7 @@ impl Controlword {
 
     /// Bit 8 in mode 6 (hm): halt.
     ///
-    /// Interrupts homing.
+    /// Stops the motion.
     ///
     /// - 0: homing mode is active
     /// - 1: stop the axis with the profile deceleration
@@ -1214,7 +1208,7 @@ impl Controlword {
 ///
 /// Bits 0 to 6 show the state. All axes show the same.
 ///
-/// Source: p. 12, p. 13, figure 8.
+/// Source: p. 9, p. 12, p. 13, figures 8 and 9.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Statusword(pub u16);
 
@@ -1246,14 +1240,14 @@ impl Statusword {
 
     /// Bit 4: voltage enabled.
     ///
-    /// The power stage has its supply.
+    /// 1 in the states in which high-level power is applied; open in Fault reaction active.
     pub const fn voltage_enabled(self) -> bool {
         self.0 & 1 << 4 != 0
     }
 
     /// Bit 5: quick stop.
     ///
-    /// Is 0 while the drive reacts to a quick stop.
+    /// If 0, the controller reacts to a quick stop request.
     pub const fn quick_stop(self) -> bool {
         self.0 & 1 << 5 != 0
     }
@@ -1265,8 +1259,8 @@ impl Statusword {
 
     /// Bit 7: warning.
     ///
-    /// Something that is no fault, as a temperature above its limit or a refused job; the state stays.
-    /// 0x603F may tell the cause.
+    /// Something that is no error or fault, as a temperature above its limit or a refused job; the state
+    /// stays. The error code may tell the cause.
     pub const fn warning(self) -> bool {
         self.0 & 1 << 7 != 0
     }
@@ -1281,7 +1275,7 @@ impl Statusword {
 
     /// Bit 10 in mode 6 (hm): target reached.
     ///
-    /// With halt, whether the axis stands.
+    /// Whether the home position is reached; with halt, whether the axis stands.
     ///
     /// - 0: home position not reached; with halt, the axis slows down
     /// - 1: home position reached; with halt, the velocity is 0
@@ -1291,7 +1285,7 @@ impl Statusword {
 
     /// Bit 12 in mode 6 (hm): homing attained.
     ///
-    /// Homing has been carried through.
+    /// How far homing is.
     ///
     /// - 0: homing not yet completed
     /// - 1: homing completed successfully
@@ -1301,10 +1295,10 @@ impl Statusword {
 
     /// Bit 13 in mode 6 (hm): homing error.
     ///
-    /// 0x603F tells the cause.
+    /// The error code tells the cause.
     ///
-    /// - 0: no error
-    /// - 1: an error has ended homing
+    /// - 0: no homing error
+    /// - 1: an error has occurred, and homing was not successful
     pub const fn hm_homing_error(self) -> bool {
         self.0 & 1 << 13 != 0
     }
@@ -1318,15 +1312,17 @@ impl Statusword {
 
     /// Bit 12 in mode 8 (csp): target position ignored.
     ///
-    /// 1 only in the state Operation enabled.
+    /// Whether the target position is used.
     ///
-    /// - 0: target position is ignored
-    /// - 1: target position is followed
+    /// - 0: target position ignored
+    /// - 1: target position is the input of the position control loop; the axis is in Operation enabled and follows
     pub const fn csp_target_position_ignored(self) -> bool {
         self.0 & 1 << 12 != 0
     }
 
     /// Bit 13 in mode 8 (csp): following error.
+    ///
+    /// Whether there is a following error.
     ///
     /// - 0: no following error
     /// - 1: following error
@@ -1339,8 +1335,7 @@ impl Statusword {
 
 /// `0x1001` Error register.
 ///
-/// The kinds of error that have occurred. Cleared by a fault reset (transition 15), or through
-/// 0x5010:04 if none was sent.
+/// What has occurred. Cleared by a fault reset (transition 15), or through 0x5010:04 if none was sent.
 ///
 /// Source: p. 18.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -1348,8 +1343,6 @@ pub struct ErrorRegister(pub u8);
 
 impl ErrorRegister {
     /// Bit 0: generic error.
-    ///
-    /// There is an error of any kind.
     pub const fn generic_error(self) -> bool {
         self.0 & 1 << 0 != 0
     }
@@ -1774,7 +1767,8 @@ pub struct VendorCode(pub u32);
 impl VendorCode {
     /// COMMAND\_NOT\_ALLOWED\_IN\_EXTERNAL\_MODE.
     ///
-    /// A GCS command that is blocked while the EtherCAT interface is active.
+    /// A GCS command that is not allowed in external mode. In the state Operation enabled those that start
+    /// or stop motion, and WPA, are blocked.
     ///
     /// Source: p. 5, p. 20.
     pub const COMMAND_NOT_ALLOWED_IN_EXTERNAL_MODE: Self = Self(700);
@@ -1798,7 +1792,8 @@ impl VendorCode {
     /// What the description says of the value; empty if nothing.
     pub const fn text(self) -> &'static str {
         match self.0 {
-            700 => "A GCS command that is blocked while the EtherCAT interface is active.",
+            700 =>
+                "A GCS command that is not allowed in external mode. In the state Operation enabled those that start or stop motion, and WPA, are blocked.",
             715 => "A mode of operation other than 0, 6 and 8.",
             _ => "",
         }
@@ -1813,11 +1808,7 @@ impl VendorCode {
 ///
 /// Not together with `0x1601`.
 ///
-/// Source: p. 21 to 24.
-///
-/// Assumed, mode: from its name.
-///
-/// Assumed, excludes: both would set the same objects.
+/// Source: p. 21, p. 22.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1600 {
     /// `0x6040:00` Controlword.
@@ -1892,12 +1883,7 @@ impl Pdo for RxPdo1600 {
 ///
 /// Not together with `0x1600`.
 ///
-/// Source: p. 21 to 24.
-///
-/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. No profile position
-/// mode.
-///
-/// Assumed, excludes: both would set the same objects.
+/// Source: p. 21, p. 22.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1601 {
     /// `0x6040:00` Controlword.
@@ -1988,11 +1974,7 @@ impl Pdo for RxPdo1601 {
 ///
 /// Not together with `0x1A01`.
 ///
-/// Source: p. 21 to 24.
-///
-/// Assumed, mode: from its name.
-///
-/// Assumed, excludes: both would send the same objects.
+/// Source: p. 22 to 24.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A00 {
     /// `0x6041:00` Statusword.
@@ -2073,12 +2055,7 @@ impl Pdo for TxPdo1A00 {
 ///
 /// Not together with `0x1A00`.
 ///
-/// Source: p. 21 to 24.
-///
-/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other. No profile position
-/// mode.
-///
-/// Assumed, excludes: both would send the same objects.
+/// Source: p. 23, p. 24.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A01 {
     /// `0x6041:00` Statusword.
@@ -2151,13 +2128,7 @@ impl Pdo for TxPdo1A01 {
 
 /// The outputs of the master with the PDOs assigned by default, 42 bytes.
 ///
-/// Source: p. 21 to 24.
-///
-/// Assumed, address: no source gives it; behind the mailboxes.
-///
-/// Assumed, max-size: six PP PDOs of 15 bytes.
-///
-/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
+/// Source: p. 24.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outputs {
     /// RxPDO - CSP of each axis, in order.
@@ -2224,13 +2195,7 @@ impl ProcessImage for Outputs {
 
 /// The inputs of the master with the PDOs assigned by default, 66 bytes.
 ///
-/// Source: p. 21 to 24.
-///
-/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-///
-/// Assumed, max-size: six CSP PDOs of 11 bytes.
-///
-/// Assumed, control: three buffers.
+/// Source: p. 24.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inputs {
     /// TxPDO - CSP of each axis, in order.
@@ -2297,13 +2262,7 @@ impl ProcessImage for Inputs {
     ];
 }
 
-/// Source: p. 21 to 24.
-///
-/// Assumed, address: no source gives it; behind the mailboxes.
-///
-/// Assumed, max-size: six PP PDOs of 15 bytes.
-///
-/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
+/// Source: p. 24.
 impl Carries<Rx> for C887 {
     const SYNC_MANAGER: SyncManager = SyncManager {
         default: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650],
@@ -2322,13 +2281,7 @@ impl Carries<Rx> for C887 {
     };
 }
 
-/// Source: p. 21 to 24.
-///
-/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-///
-/// Assumed, max-size: six CSP PDOs of 11 bytes.
-///
-/// Assumed, control: three buffers.
+/// Source: p. 24.
 impl Carries<Tx> for C887 {
     const SYNC_MANAGER: SyncManager = SyncManager {
         default: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
@@ -2372,10 +2325,7 @@ pub mod configurations {
     ///
     /// Cycle time: 1 ms.
     ///
-    /// Source: p. 4, p. 11, p. 21 to 24, p. 26.
-    ///
-    /// Assumed, cycle-time: the shortest, which is the default of 0x60C2; whether another has to be written
-    /// there is not said.
+    /// Source: p. 4, p. 11, p. 24, p. 26.
     pub const CSP: [Write; 18] = [
         Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
         Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),
@@ -2400,31 +2350,31 @@ pub mod configurations {
 
 /// How the statusword shows the states, bit 7 first.
 ///
-/// *Not ready to switch on* `x000 0000`: The electronics have power and the drive starts up or tests
-/// itself. (p. 9, p. 13)
+/// *Not ready to switch on* `x000 0000`: Left by transition 1, which the controller makes by itself.
+/// (p. 8, p. 9, p. 13)
 ///
-/// *Switch on disabled* `x100 0000`: The drive has started and can be set up; the power stage must not
-/// be switched on. Where the axes are after power-on or a reboot. (p. 8, p. 9, p. 13)
+/// *Switch on disabled* `x100 0000`: Where the axes are after power-on or a reboot. (p. 8, p. 9, p. 13)
 ///
-/// *Ready to switch on* `x010 0001`: The supply of the power stage may be switched on; the motor has no
-/// torque. (p. 9, p. 13)
+/// *Ready to switch on* `x010 0001`: High-level power is not applied yet. (p. 9, p. 13)
 ///
-/// *Switched on* `x011 0011`: The power stage is supplied and ready; the motor has no torque. (p. 9, p.
+/// *Switched on* `x011 0011`: High-level power is applied; the drive function is not enabled. (p. 9, p.
 /// 13)
 ///
-/// *Operation enabled* `x011 0111`: The motor has torque and the drive follows its set values in the
-/// mode that is active. The hexapod moves only while all axes are in this state. The mode of operation
-/// is selected in it. GCS commands that start motion, as MOV, or stop it, as HLT, STP and #24, and WPA
-/// are not carried out. No GCS command leads out of it. (p. 5, p. 9, p. 11, p. 13 to 17)
+/// *Operation enabled* `x011 0111`: The drive function is enabled, in the mode that is active. The
+/// hexapod moves only while all axes are in this state. The mode of operation is selected in it. GCS
+/// commands that start motion, as MOV, or stop it, as HLT and STP, and WPA are blocked. The GCS
+/// commands HLT, STP and #24 are ignored. No GCS command leads out of it. (p. 5, p. 9, p. 11, p. 13 to
+/// 17)
 ///
-/// *Quick stop active* `x001 0111`: The hexapod stops on the quick-stop ramp, or has stopped, and
-/// stays. (p. 9, p. 13, p. 17)
+/// *Quick stop active* `x001 0111`: The hexapod stops on the quick-stop ramp, or has stopped, and stays
+/// in this state. Left by Disable voltage (transition 12) or Fault reset (transition 15), as transition
+/// 16 is not supported. (p. 8, p. 9, p. 12, p. 13, p. 17)
 ///
 /// *Fault reaction active* `x0xx 1111`: An error was found, and the hexapod stops on the quick-stop
 /// ramp. (p. 9, p. 13, p. 17)
 ///
-/// *Fault* `x000 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
-/// leads out. All axes stay here until the master acknowledges. (p. 9, p. 12, p. 13)
+/// *Fault* `x000 1000`: The drive function is disabled, and high-level power is not applied. All axes
+/// stay here until the master acknowledges. (p. 9, p. 12, p. 13)
 pub const STATES: StatePatterns = StatePatterns(&[
     (State::NotReadyToSwitchOn, Pattern { mask: 0x007F, value: 0x0000 }),
     (State::SwitchOnDisabled, Pattern { mask: 0x007F, value: 0x0040 }),
@@ -2439,51 +2389,49 @@ pub const STATES: StatePatterns = StatePatterns(&[
 /// What the description says of a state; empty if nothing.
 pub const fn state_text(state: State) -> &'static str {
     match state {
-        State::NotReadyToSwitchOn => "The electronics have power and the drive starts up or tests itself.",
-        State::SwitchOnDisabled =>
-            "The drive has started and can be set up; the power stage must not be switched on. Where the axes are after power-on or a reboot.",
-        State::ReadyToSwitchOn =>
-            "The supply of the power stage may be switched on; the motor has no torque.",
-        State::SwitchedOn => "The power stage is supplied and ready; the motor has no torque.",
+        State::NotReadyToSwitchOn => "Left by transition 1, which the controller makes by itself.",
+        State::SwitchOnDisabled => "Where the axes are after power-on or a reboot.",
+        State::ReadyToSwitchOn => "High-level power is not applied yet.",
+        State::SwitchedOn => "High-level power is applied; the drive function is not enabled.",
         State::OperationEnabled =>
-            "The motor has torque and the drive follows its set values in the mode that is active. The hexapod moves only while all axes are in this state. The mode of operation is selected in it. GCS commands that start motion, as MOV, or stop it, as HLT, STP and #24, and WPA are not carried out. No GCS command leads out of it.",
-        State::QuickStopActive => "The hexapod stops on the quick-stop ramp, or has stopped, and stays.",
+            "The drive function is enabled, in the mode that is active. The hexapod moves only while all axes are in this state. The mode of operation is selected in it. GCS commands that start motion, as MOV, or stop it, as HLT and STP, and WPA are blocked. The GCS commands HLT, STP and #24 are ignored. No GCS command leads out of it.",
+        State::QuickStopActive =>
+            "The hexapod stops on the quick-stop ramp, or has stopped, and stays in this state. Left by Disable voltage (transition 12) or Fault reset (transition 15), as transition 16 is not supported.",
         State::FaultReactionActive => "An error was found, and the hexapod stops on the quick-stop ramp.",
         State::Fault =>
-            "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. All axes stay here until the master acknowledges.",
+            "The drive function is disabled, and high-level power is not applied. All axes stay here until the master acknowledges.",
     }
 }
 
 /// The transitions of the drive: number, states before, state after, axes that have to make it.
 ///
-/// *0*: The drive is switched on or reset, starts up and tests itself.
+/// *0*: The controller is switched on or rebooted.
 ///
-/// *1*: The drive has started; communication is possible.
+/// *1*: Made by the controller itself after power-on or a reboot.
 ///
-/// *3*: The power stage gets its supply.
+/// *3*: High-level power is applied.
 ///
-/// *4*: The drive function starts; set values from before are cleared.
+/// *4*: The drive function is enabled.
 ///
-/// *5*: The drive function ends.
+/// *5*: All axes stop on the quick-stop ramp; the drive function is disabled.
 ///
-/// *6*: The supply of the power stage may be switched off.
+/// *6*: High-level power is taken away.
 ///
-/// *8*: The drive function ends and the supply of the power stage may be switched off.
+/// *8*: All axes stop on the quick-stop ramp; drive function and high-level power end.
 ///
-/// *9*: The drive function ends and the supply of the power stage may be switched off.
+/// *9*: All axes stop on the quick-stop ramp; drive function and high-level power end.
 ///
-/// *10*: The supply of the power stage may be switched off.
+/// *10*: High-level power is taken away.
 ///
-/// *11*: The quick stop begins.
+/// *11*: All axes stop on the quick-stop ramp.
 ///
-/// *12*: The drive function ends and the supply of the power stage may be switched off.
+/// *12*: All axes stop on the quick-stop ramp; drive function and high-level power end.
 ///
-/// *13*: The fault reaction begins, on all axes.
+/// *13*: The fault reaction begins, on all axes even if only one makes the transition.
 ///
-/// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
-/// switched off.
+/// *14*: Drive function and high-level power end.
 ///
-/// *15*: The fault is acknowledged. The error register and the error codes are cleared.
+/// *15*: The master acknowledges. All bits of the error register are reset, and the error codes.
 pub const TRANSITIONS: &[Transition] = {
     const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
         Transition { number, from: StateSet::of(from), to, coupling }
@@ -2539,9 +2487,9 @@ pub mod commands {
 
     /// Shutdown. `0xxx x110`
     ///
-    /// Makes the drive ready to switch on, or brings it back to that.
+    /// Leads to Ready to switch on. If the hexapod moves, it slows down on the quick-stop ramp.
     ///
-    /// Source: p. 8 to 10, p. 12, p. 13.
+    /// Source: p. 12, p. 17.
     pub const SHUTDOWN: Command = Command {
         name: "shutdown",
         pattern: Pattern { mask: 0x0087, value: 0x0006 },
@@ -2552,9 +2500,9 @@ pub mod commands {
 
     /// Switch on. `0xxx 0111`
     ///
-    /// Switches the power stage on.
+    /// Applies high-level power.
     ///
-    /// Source: p. 8 to 10, p. 12, p. 13.
+    /// Source: p. 9, p. 12.
     pub const SWITCH_ON: Command = Command {
         name: "switch on",
         pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -2565,7 +2513,7 @@ pub mod commands {
 
     /// Disable voltage. `0xxx xx0x`
     ///
-    /// Ends the drive function. If the hexapod moves, it slows down on the quick-stop ramp.
+    /// Leads to Switch on disabled. If the hexapod moves, it slows down on the quick-stop ramp.
     ///
     /// Source: p. 12, p. 17.
     pub const DISABLE_VOLTAGE: Command = Command {
@@ -2578,7 +2526,7 @@ pub mod commands {
 
     /// Quick stop. `0xxx x01x`
     ///
-    /// Stops the hexapod on the quick-stop ramp.
+    /// Stops the hexapod on the quick-stop ramp, and it stays in Quick stop active.
     ///
     /// Source: p. 12, p. 17.
     pub const QUICK_STOP: Command = Command {
@@ -2593,7 +2541,7 @@ pub mod commands {
     ///
     /// Ends the drive function. If the hexapod moves, it slows down on the quick-stop ramp.
     ///
-    /// Source: p. 12, p. 17.
+    /// Source: p. 9, p. 12, p. 17.
     pub const DISABLE_OPERATION: Command = Command {
         name: "disable operation",
         pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -2604,12 +2552,9 @@ pub mod commands {
 
     /// Enable operation. `0xxx 1111`
     ///
-    /// Makes the hexapod follow its set values.
+    /// Enables the drive function.
     ///
-    /// Source: p. 8, p. 12.
-    ///
-    /// Corrected, transitions; the source says: transitions = 4, 16. Transition 16 is said not to be
-    /// supported, and the table of transitions ends at 15.
+    /// Source: p. 9, p. 12.
     pub const ENABLE_OPERATION: Command = Command {
         name: "enable operation",
         pattern: Pattern { mask: 0x008F, value: 0x000F },
@@ -2620,7 +2565,8 @@ pub mod commands {
 
     /// Fault reset. `rxxx xxxx`
     ///
-    /// Makes transition 15 in every state but two, in which it is ignored.
+    /// Makes transition 15 in every state but two, in which it is ignored. Only the rising edge of bit 7
+    /// counts.
     ///
     /// Source: p. 12.
     pub const FAULT_RESET: Command = Command {
@@ -2640,12 +2586,12 @@ pub mod commands {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(i8)]
 pub enum ModeOfOperation {
-    /// No mode change, no mode assigned.
+    /// No mode change / no mode assigned.
     ///
-    /// A safe state to start from: target positions are ignored. Coordinate systems can be activated in no
-    /// other mode.
+    /// A safe basic state: target positions are ignored. Needed for activating coordinate systems. On page
+    /// 4, No mode changes / no mode selected.
     ///
-    /// Source: p. 4, p. 11.
+    /// Source: p. 4, p. 11, p. 18.
     NoMode = 0,
     /// Homing mode.
     ///
@@ -2653,16 +2599,18 @@ pub enum ModeOfOperation {
     ///
     /// All axes are in the state Operation enabled; otherwise nothing moves.
     ///
+    /// The master's monitoring of the position lag should be off, as the path cannot be foreseen.
+    ///
     /// Caution:
     ///
-    /// - The path of a reference move cannot be foreseen, and nothing prevents a collision, not even a configuration of PIVeriMove that is stored on the controller: keep hexapod, load and surroundings clear of each other.
+    /// - NOTICE: damage from collisions. The path of a reference move cannot be foreseen, and nothing checks for or prevents collisions, not even a configuration of PIVeriMove that is stored on the controller; they can damage hexapod, load and surroundings.
+    /// - Make sure that hexapod, load and surroundings cannot collide during the reference move.
     /// - Leave nothing where moving parts could catch it.
     /// - After a successful reference move, go back to the reference position, zero by default, by a target position and not by another reference move.
-    /// - Switch the master's monitoring of the position lag off meanwhile.
     ///
-    /// Source: p. 12 to 15.
+    /// Source: p. 4, p. 11 to 15.
     Hm = 6,
-    /// Cyclic synchronous position mode.
+    /// Cyclic Synchronous Position mode.
     ///
     /// The master sends Cartesian target positions every cycle and controls the position. Selected on the
     /// first axis, active on all.
@@ -2671,12 +2619,12 @@ pub enum ModeOfOperation {
     ///
     /// Caution:
     ///
-    /// - Unsuitable dynamics can tilt the hexapod and damage it or its load; they follow from the target positions and from how well the cycle time is kept.
+    /// - NOTICE: unsuitable dynamics can tilt the hexapod, which can damage it and its load. Acceleration, velocity and steadiness of the motion follow from the target positions and from how well the cycle time is kept.
     /// - The path must be continuously differentiable at least twice.
-    /// - Velocity and acceleration must stay below what the hexapod bears.
+    /// - Velocity and acceleration must not exceed what is permitted for the hexapod.
     /// - A suitable program should make the target positions and send them without a break.
     ///
-    /// Source: p. 4, p. 11 to 17.
+    /// Source: p. 4, p. 11 to 13, p. 15 to 17.
     Csp = 8,
 }
 
@@ -2685,7 +2633,7 @@ impl ModeOfOperation {
     pub const fn text(self) -> &'static str {
         match self {
             Self::NoMode =>
-                "A safe state to start from: target positions are ignored. Coordinate systems can be activated in no other mode.",
+                "A safe basic state: target positions are ignored. Needed for activating coordinate systems. On page 4, No mode changes / no mode selected.",
             Self::Hm => "Makes a reference move of the hexapod. Selected on the first axis, active on all.",
             Self::Csp =>
                 "The master sends Cartesian target positions every cycle and controls the position. Selected on the first axis, active on all.",
@@ -2709,9 +2657,9 @@ impl Mode for ModeOfOperation {
 
     fn name(self) -> &'static str {
         match self {
-            Self::NoMode => "No mode change, no mode assigned",
+            Self::NoMode => "No mode change / no mode assigned",
             Self::Hm => "Homing mode",
-            Self::Csp => "Cyclic synchronous position mode",
+            Self::Csp => "Cyclic Synchronous Position mode",
         }
     }
 }
@@ -2727,7 +2675,6 @@ pub const CONDITIONS: &[Condition] = &[
     Condition::caused(13, Events::FAULT),
     Condition::caused(14, Events::FAULT_REACTION_OVER),
     Condition::caused(1, Events::INITIALISED),
-    Condition::hindered(15, Events::FAULT),
 ];
 
 /// The modes of operation by their numbers, and how the drive goes from one to another.
@@ -2745,13 +2692,14 @@ pub const MODES: Modes = Modes {
 
 /// The bits that start a reference run in mode 6 and show how far it is.
 ///
-/// Source: p. 12 to 15.
+/// Source: p. 4, p. 11 to 15.
 pub const HOMING: HomingBits = HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
 /// The state machine, as both sides run it.
 ///
-/// After transitions 13 and 14 the axes stay in Fault until the master acknowledges. Once a change of
-/// mode has failed, the mode display is 0.
+/// Bits of the controlword that lead to an undefined transition are an error, as is a transition that
+/// the present state does not permit. After transitions 13 and 14 all axes stay in Fault until the
+/// master acknowledges. Once a change of mode has failed, the mode display is 0.
 ///
 /// Source: p. 11, p. 12.
 pub const MACHINE: Machine = Machine {
@@ -2768,159 +2716,159 @@ pub const MACHINE: Machine = Machine {
 pub struct ErrorCode(pub u16);
 
 impl ErrorCode {
-    /// No error.
+    /// No error. Error register 0x00. Vendor code 0. (p. 18)
     ///
-    /// GCS error 0, error register 0.
+    /// Code, GCS error and error register are 0.
     pub const NO_ERROR: Self = Self(0x0000);
 
-    /// Continuous Over Current Detected. Error register 0x03. (p. 18 to 20)
+    /// Continuous Over Current Detected. Error register 0x03. (p. 19)
     ///
     /// The current inside the drive has been too high for too long.
     pub const CONTINUOUS_OVER_CURRENT_DETECTED: Self = Self(0x2220);
 
-    /// Short Circuit. Error register 0x03. (p. 18 to 20)
+    /// Short Circuit. Error register 0x03. (p. 19)
     ///
     /// There is a short circuit inside the drive.
     pub const SHORT_CIRCUIT: Self = Self(0x2250);
 
-    /// Phase Failure. Error register 0x81. (p. 18 to 20)
+    /// Phase Failure. Error register 0x81. (p. 19)
     ///
-    /// A phase of the mains is missing.
+    /// A phase has failed.
     pub const PHASE_FAILURE: Self = Self(0x3130);
 
-    /// Temperature Drive Error. Error register 0x09. (p. 18 to 20)
+    /// Temperature Drive Error. Error register 0x09. (p. 19)
     ///
     /// The temperature of the drive is out of order.
     pub const TEMPERATURE_DRIVE_ERROR: Self = Self(0x4300);
 
-    /// Temperature Drive Excess Limit. Error register 0x09. (p. 18 to 20)
+    /// Temperature Drive Excess Limit. Error register 0x09. (p. 19)
     ///
     /// The drive is too hot.
     pub const TEMPERATURE_DRIVE_EXCESS_LIMIT: Self = Self(0x4310);
 
-    /// Temperature Drive Too Low. Error register 0x09. (p. 18 to 20)
+    /// Temperature Drive Too Low. Error register 0x09. (p. 19)
     ///
     /// The drive is too cold.
     pub const TEMPERATURE_DRIVE_TOO_LOW: Self = Self(0x4320);
 
-    /// Supply Low Voltage. Error register 0x05. Vendor code 66. (p. 18 to 20)
+    /// Supply Low Voltage. Error register 0x05. Vendor code 66. (p. 19)
     ///
     /// The low voltage that supplies the drive's electronics is out of order.
     pub const SUPPLY_LOW_VOLTAGE: Self = Self(0x5110);
 
-    /// Parameter Error. Error register 0x81. Vendor code 54, 233. (p. 18 to 20)
+    /// Parameter Error. Error register 0x81. Vendor code 54, 233. (p. 19)
     ///
     /// A parameter has a value that the drive cannot work with.
     pub const PARAMETER_ERROR: Self = Self(0x6320);
 
-    /// Motor General Failure. Error register 0x81. (p. 18 to 20)
+    /// Motor General Failure. Error register 0x81. (p. 19)
     ///
     /// The motor is out of order.
     pub const MOTOR_GENERAL_FAILURE: Self = Self(0x7120);
 
-    /// Motor Blocked. Error register 0x81. Vendor code 657. (p. 18 to 20)
+    /// Motor Blocked. Error register 0x81. Vendor code 657. (p. 19)
     ///
     /// A motor is stuck; safety stop.
     pub const MOTOR_BLOCKED: Self = Self(0x7121);
 
-    /// Motor Error Or Commutation malfunction. Error register 0x81. (p. 18 to 20)
+    /// Motor Error Or Commutation malfunction. Error register 0x81. (p. 19)
     ///
     /// The motor is out of order or is not commutated as it should be.
     pub const MOTOR_ERROR_OR_COMMUTATION_MALFUNCTION: Self = Self(0x7122);
 
-    /// Sensor Incremental Encoder Fault. Error register 0x81. (p. 18 to 20)
+    /// Sensor Incremental Encoder Fault. Error register 0x81. (p. 19)
     ///
-    /// The first incremental encoder gives no usable signal.
+    /// An incremental encoder has a fault; which one is not said.
     pub const SENSOR_INCREMENTAL_ENCODER_FAULT: Self = Self(0x7305);
 
-    /// Sensor Speed Error. Error register 0x81. Vendor code 606. (p. 18 to 20)
+    /// Sensor Speed Error. Error register 0x81. Vendor code 606. (p. 19)
     ///
     /// A sensor changes too fast.
     pub const SENSOR_SPEED_ERROR: Self = Self(0x7310);
 
-    /// Sensor Position Error. Error register 0x81. Vendor code 505. (p. 18 to 20)
+    /// Sensor Position Error. Error register 0x81. Vendor code 505. (p. 19)
     ///
     /// The sensor reports a position that cannot be right.
     pub const SENSOR_POSITION_ERROR: Self = Self(0x7320);
 
-    /// Communication Error. Error register 0x11. (p. 18 to 20)
+    /// Communication Error. Error register 0x11. (p. 19)
     ///
     /// A module or an interface of the drive does not communicate.
     pub const COMMUNICATION_ERROR: Self = Self(0x7500);
 
-    /// Recovered From Bus Off. Error register 0x81. (p. 18 to 20)
+    /// Recovered From Bus Off. Error register 0x81. (p. 19)
     ///
     /// The drive had left the bus after too many transmission errors and is back.
     pub const RECOVERED_FROM_BUS_OFF: Self = Self(0x8140);
 
-    /// Bus Off Occurred. Error register 0x81. (p. 18 to 20)
+    /// Bus Off Occurred. Error register 0x81. (p. 19)
     ///
     /// The drive has left the bus after too many transmission errors.
     pub const BUS_OFF_OCCURRED: Self = Self(0x8141);
 
-    /// PDO not Processed Due To Length Error. Error register 0x81. (p. 18 to 20)
+    /// PDO not Processed Due To Length Error. Error register 0x81. (p. 19)
     ///
     /// A PDO was shorter than its mapping and was not used.
     pub const PDO_NOT_PROCESSED_DUE_TO_LENGTH_ERROR: Self = Self(0x8210);
 
-    /// PDO length Exceeded. Error register 0x81. (p. 18 to 20)
+    /// PDO length Exceeded. Error register 0x81. (p. 19)
     ///
     /// A PDO was longer than its mapping.
     pub const PDO_LENGTH_EXCEEDED: Self = Self(0x8220);
 
-    /// Torque Control. Error register 0x81. (p. 18 to 20)
+    /// Torque Control. Error register 0x81. (p. 19)
     ///
     /// The torque controller cannot do what is asked of it.
     pub const TORQUE_CONTROL: Self = Self(0x8300);
 
-    /// Velocity Controller Error. Error register 0x81. Vendor code 8. (p. 18 to 20)
+    /// Velocity Controller Error. Error register 0x81. Vendor code 8. (p. 19)
     ///
     /// The velocity controller cannot do what is asked of it.
     pub const VELOCITY_CONTROLLER_ERROR: Self = Self(0x8400);
 
-    /// Position Controller Error. Error register 0x81. Vendor code 7. (p. 18 to 20)
+    /// Position Controller Error. Error register 0x81. Vendor code 7. (p. 19)
     ///
     /// The position controller cannot do what is asked of it.
     pub const POSITION_CONTROLLER_ERROR: Self = Self(0x8500);
 
-    /// Positioning Following Error. Error register 0x81. Vendor code 1024. (p. 18 to 20)
+    /// Positioning Following Error. Error register 0x81. Vendor code 1024. (p. 19)
     ///
     /// The actual position is too far from the demanded one.
     pub const POSITIONING_FOLLOWING_ERROR: Self = Self(0x8611);
 
-    /// Positioning Reference Limit. Error register 0x81. Vendor code 216. (p. 18 to 20)
+    /// Positioning Reference Limit. Error register 0x81. Vendor code 216. (p. 19)
     ///
     /// A position asked for lies beyond a limit.
     pub const POSITIONING_REFERENCE_LIMIT: Self = Self(0x8612);
 
-    /// Phasing Process Out Of Tolerance detected. Error register 0x81. (p. 18 to 20)
+    /// Phasing Process Out Of Tolerance detected. Error register 0x81. (p. 19)
     pub const PHASING_PROCESS_OUT_OF_TOLERANCE_DETECTED: Self = Self(0xFF04);
 
     /// Unallowable move attempted on unreferenced axis, or move attempted with servo off. Error register
-    /// 0x81. Vendor code 5. (p. 18 to 20)
+    /// 0x81. Vendor code 5. (p. 19)
     pub const UNALLOWABLE_MOVE_ATTEMPTED_ON_UNREFERENCED_AXIS_OR_MOVE_ATTEMPTED_WITH_SERVO_OFF: Self =
         Self(0xFF05);
 
-    /// Error/Timeout During Homing Process. Error register 0x81. Vendor code 45. (p. 18 to 20)
+    /// Error/Timeout During Homing Process. Error register 0x81. Vendor code 45. (p. 19)
     pub const ERROR_TIMEOUT_DURING_HOMING_PROCESS: Self = Self(0xFF06);
 
-    /// Divide By Zero Instruction detected. Error register 0x81. (p. 18 to 20)
+    /// Divide By Zero Instruction detected. Error register 0x81. (p. 19)
     pub const DIVIDE_BY_ZERO_INSTRUCTION_DETECTED: Self = Self(0xFF10);
 
-    /// Safety stop triggered. Error register 0x81. Vendor code 500, 501, 657. (p. 18 to 20)
+    /// Safety stop triggered. Error register 0x81. Vendor code 500, 501, 657. (p. 19)
     ///
     /// By way of the E-Stop socket.
     pub const SAFETY_STOP_TRIGGERED: Self = Self(0xFF50);
 
-    /// FIFO Buffer underrun (DSP). Error register 0x81. Vendor code 220. (p. 18 to 20)
+    /// FIFO Buffer underrun (DSP). Error register 0x81. Vendor code 220. (p. 19)
     pub const FIFO_BUFFER_UNDERRUN_DSP: Self = Self(0xFFDC);
 
-    /// FIFO Buffer overflow (DSP). Error register 0x81. Vendor code 221. (p. 18 to 20)
+    /// FIFO Buffer overflow (DSP). Error register 0x81. Vendor code 221. (p. 19)
     pub const FIFO_BUFFER_OVERFLOW_DSP: Self = Self(0xFFDD);
 
-    /// Hardware Error. Error register 0x81. Vendor code 333, 555. (p. 18 to 20)
+    /// Hardware Error. Error register 0x81. Vendor code 333, 555. (p. 20)
     ///
-    /// The hardware has failed; the DSP cannot be talked to.
+    /// A general failure of the hardware; the DSP cannot be talked to.
     pub const HARDWARE_ERROR: Self = Self(0xFFFF);
 }
 
@@ -2939,7 +2887,7 @@ impl error::ErrorCode for ErrorCode {
         }
 
         &[
-            info(0x0000, "no error", None, &[], "GCS error 0, error register 0."),
+            info(0x0000, "No error", Some(0x00), &[0], "Code, GCS error and error register are 0."),
             info(
                 0x2220,
                 "Continuous Over Current Detected",
@@ -2948,7 +2896,7 @@ impl error::ErrorCode for ErrorCode {
                 "The current inside the drive has been too high for too long.",
             ),
             info(0x2250, "Short Circuit", Some(0x03), &[], "There is a short circuit inside the drive."),
-            info(0x3130, "Phase Failure", Some(0x81), &[], "A phase of the mains is missing."),
+            info(0x3130, "Phase Failure", Some(0x81), &[], "A phase has failed."),
             info(
                 0x4300,
                 "Temperature Drive Error",
@@ -2986,7 +2934,7 @@ impl error::ErrorCode for ErrorCode {
                 "Sensor Incremental Encoder Fault",
                 Some(0x81),
                 &[],
-                "The first incremental encoder gives no usable signal.",
+                "An incremental encoder has a fault; which one is not said.",
             ),
             info(0x7310, "Sensor Speed Error", Some(0x81), &[606], "A sensor changes too fast."),
             info(
@@ -3084,7 +3032,7 @@ impl error::ErrorCode for ErrorCode {
                 "Hardware Error",
                 Some(0x81),
                 &[333, 555],
-                "The hardware has failed; the DSP cannot be talked to.",
+                "A general failure of the hardware; the DSP cannot be talked to.",
             ),
         ]
     };
@@ -3109,23 +3057,29 @@ pub mod units {
 
     /// Position in process data of X, Y, Z: a step is 1/100000 mm.
     ///
+    /// Named as scaled: target position, position actual value and, of velocities, profile velocity.
+    ///
     /// The device holds the factor in 0x6093:00.
     ///
-    /// Source: p. 14.
+    /// Source: p. 6, p. 14.
     pub const POSITION_MM: Unit<C887, Length> = Unit::of::<10, 1>();
 
     /// Position in process data of U, V, W: a step is 1/100000 deg.
     ///
+    /// Named as scaled: target position, position actual value and, of velocities, profile velocity.
+    ///
     /// The device holds the factor in 0x6093:00.
     ///
-    /// Source: p. 14.
+    /// Source: p. 6, p. 14.
     pub const POSITION_DEG: Unit<C887, Angle> = Unit::of::<10_000, 1>();
 
     /// Position in process data of an axis: a step is 1/100000 mm on X, Y, Z, 1/100000 deg on U, V, W.
     ///
+    /// Named as scaled: target position, position actual value and, of velocities, profile velocity.
+    ///
     /// The device holds the factor in 0x6093:00.
     ///
-    /// Source: p. 14.
+    /// Source: p. 6, p. 14.
     pub const fn position(axis: Axis) -> AxisUnit<C887, Length, Angle> {
         match axis {
             Axis::X | Axis::Y | Axis::Z => Motion::Linear(POSITION_MM),
@@ -3217,21 +3171,19 @@ pub mod dictionary {
     pub struct Dictionary {
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         pub device_type: u32,
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO, default 0.
+        /// `0x1001:00` Error register. UINT8, ro, default 0.
         pub error_register: ErrorRegister,
         /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT".
         pub manufacturer_device_name: &'static str,
-        /// `0x1009:00` Manufacturer hardware version. STRING(1), ro, default "0".
+        /// `0x1009:00` Manufacturer hardware version. STRING(32), ro, default "0".
         pub manufacturer_hardware_version: &'static str,
-        /// `0x100A:00` Manufacturer software version. STRING(1), ro, default "0".
+        /// `0x100A:00` Manufacturer software version. STRING(32), ro, default "0".
         pub manufacturer_software_version: &'static str,
-        /// `0x1018` Identity object.
+        /// `0x1018` Idendity object.
         pub identity_object: IdentityObject,
-        /// `0x1C00` Sync Manager communication types.
-        pub sync_manager_communication_type: SyncManagerCommunicationType,
-        /// `0x1C12` Sync Manager 2 PDO assignment.
+        /// `0x1C12` Sync Manage r2 PDO assignment.
         pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
-        /// `0x1C13` Sync Manager 3 PDO assignment.
+        /// `0x1C13` Sync Manager3 PDO assignment.
         pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
         /// `0x1C32` Configuration DC modus.
         pub sm_output_parameter: SmOutputParameter,
@@ -3344,11 +3296,11 @@ pub mod dictionary {
                 entry_6: 0x1A50,
             },
             sm_output_parameter: SmOutputParameter {
-                synchronization_type: SynchronizationType(0),
+                synchronization_type: SynchronizationType(2),
                 cycle_time: 0,
                 shift_time: 0,
-                synchronization_types_supported: 0,
-                minimum_cycle_time: 0,
+                synchronization_types_supported: 4,
+                minimum_cycle_time: 0x000F_4240,
                 calc_and_copy_time: 0,
                 minimum_delay_time: 0,
                 get_cycle_time: GetCycleTime(0),
@@ -3359,11 +3311,11 @@ pub mod dictionary {
                 sync_error: false,
             },
             sm_input_parameter: SmInputParameter {
-                synchronization_type: SmInputParameterSynchronizationType(0),
+                synchronization_type: SmInputParameterSynchronizationType(2),
                 cycle_time: 0,
                 shift_time: 0,
-                synchronization_types_supported: 0,
-                minimum_cycle_time: 0,
+                synchronization_types_supported: 4,
+                minimum_cycle_time: 0x000F_4240,
                 calc_and_copy_time: 0,
                 minimum_delay_time: 0,
                 get_cycle_time: GetCycleTime(0),
@@ -3401,7 +3353,7 @@ pub mod dictionary {
     /// Every object of an axis whose value can change, by its index on the first axis.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct AxisDictionary {
-        /// `0x603F:00` Error code. UINT16, ro, TxPDO, default 0.
+        /// `0x603F:00` Error code. UINT16, ro, default 0.
         pub error_code: ErrorCode,
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO, default 0.
         pub controlword: Controlword,
@@ -3417,25 +3369,25 @@ pub mod dictionary {
         pub target_position: i32,
         /// `0x607D` Software position limit.
         ///
-        /// - `01` Min position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        /// - `02` Max position limit. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
+        /// - `01` Min position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
+        /// - `02` Max position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
         pub software_position_limit: [i32; 2],
         /// `0x6093` Position factor.
         ///
-        /// - `01` Numerator. INT32, rw, RxPDO, default 1.
-        /// - `02` Denominator. INT32, rw, RxPDO, default 100000.
+        /// - `01` Numerator. INT32, rw, default 1.
+        /// - `02` Denominator. INT32, rw, default 100000.
         pub position_factor: [i32; 2],
-        /// `0x6098:00` Homing method. INT8, rw, RxPDO, default 0.
+        /// `0x6098:00` Homing method. INT8, rw, default 0.
         pub homing_method: i8,
-        /// `0x60B0:00` Position offset. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
+        /// `0x60B0:00` Position offset. INT32, rw, default 0, in mm or deg ÷ 100000.
         pub position_offset: i32,
         /// `0x60C2` Interpolation time period.
         pub interpolation_time_period: InterpolationTimePeriod,
         /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000.
         pub following_error_actual_value: i32,
-        /// `0x60FD:00` Digital Inputs. INT32, ro, TxPDO, default 0.
+        /// `0x60FD:00` Digital Inputs. INT32, ro, default 0.
         pub digital_inputs: i32,
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO, default 0, in mm/s or deg/s ÷ 100000.
+        /// `0x60FF:00` Target velocity. INT32, rw, default 0, in mm/s or deg/s ÷ 100000.
         pub target_velocity: i32,
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 160.
         pub supported_drive_modes: u32,
@@ -3475,7 +3427,7 @@ pub mod dictionary {
         }
     }
 
-    /// `0x1018` Identity object.
+    /// `0x1018` Idendity object.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct IdentityObject {
         /// `0x1018:01` Vendor ID. UINT32, ro, default 0x076D.
@@ -3488,20 +3440,7 @@ pub mod dictionary {
         pub serial_number: u32,
     }
 
-    /// `0x1C00` Sync Manager communication types.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct SyncManagerCommunicationType {
-        /// `0x1C00:01` SubIndex 001. UINT8, ro, default 1.
-        pub entry_1: Entry1,
-        /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
-        pub entry_2: Entry2,
-        /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
-        pub entry_3: Entry3,
-        /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
-        pub entry_4: Entry4,
-    }
-
-    /// `0x1C12` Sync Manager 2 PDO assignment.
+    /// `0x1C12` Sync Manage r2 PDO assignment.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SyncManager2PdoAssignment {
         /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
@@ -3522,7 +3461,7 @@ pub mod dictionary {
         pub entry_7: u16,
     }
 
-    /// `0x1C13` Sync Manager 3 PDO assignment.
+    /// `0x1C13` Sync Manager3 PDO assignment.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SyncManager3PdoAssignment {
         /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
@@ -3544,15 +3483,15 @@ pub mod dictionary {
     /// `0x1C32` Configuration DC modus.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SmOutputParameter {
-        /// `0x1C32:01` Synchronization type. UINT16, rw.
+        /// `0x1C32:01` Synchronization type. UINT16, rw, default 2.
         pub synchronization_type: SynchronizationType,
         /// `0x1C32:02` Cycle time. UINT32, rw.
         pub cycle_time: u32,
         /// `0x1C32:03` Shift time. UINT32, ro.
         pub shift_time: u32,
-        /// `0x1C32:04` Synchronization types supported. UINT16, ro.
+        /// `0x1C32:04` Synchronization types supported. UINT16, ro, default 4.
         pub synchronization_types_supported: u16,
-        /// `0x1C32:05` Minimum cycle time. UINT32, ro.
+        /// `0x1C32:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
         pub minimum_cycle_time: u32,
         /// `0x1C32:06` Calc and copy time. UINT32, ro.
         pub calc_and_copy_time: u32,
@@ -3568,22 +3507,22 @@ pub mod dictionary {
         pub sm_event_missed: u16,
         /// `0x1C32:0C` Cycle time too small. UINT16, ro.
         pub cycle_time_too_small: u16,
-        /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+        /// `0x1C32:20` Sync error. BOOL, ro.
         pub sync_error: bool,
     }
 
     /// `0x1C33` Configuration DC modus.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SmInputParameter {
-        /// `0x1C33:01` Synchronization type. UINT16, rw.
+        /// `0x1C33:01` Synchronization type. UINT16, rw, default 2.
         pub synchronization_type: SmInputParameterSynchronizationType,
         /// `0x1C33:02` Cycle time. UINT32, rw.
         pub cycle_time: u32,
         /// `0x1C33:03` Shift time. UINT32, rw.
         pub shift_time: u32,
-        /// `0x1C33:04` Synchronization types supported. UINT16, ro.
+        /// `0x1C33:04` Synchronization types supported. UINT16, ro, default 4.
         pub synchronization_types_supported: u16,
-        /// `0x1C33:05` Minimum cycle time. UINT32, ro.
+        /// `0x1C33:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
         pub minimum_cycle_time: u32,
         /// `0x1C33:06` Calc and copy time. UINT32, ro.
         pub calc_and_copy_time: u32,
@@ -3599,7 +3538,7 @@ pub mod dictionary {
         pub sm_event_missed: u16,
         /// `0x1C33:0C` Cycle time too small. UINT16, ro.
         pub cycle_time_too_small: u16,
-        /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+        /// `0x1C33:20` Sync error. BOOL, ro.
         pub sync_error: bool,
     }
 
@@ -3630,9 +3569,9 @@ pub mod dictionary {
     /// `0x60C2` Interpolation time period.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct InterpolationTimePeriod {
-        /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only, default 1.
+        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written at PS, default 1.
         pub interpolation_time_period_value: u8,
-        /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only, default -3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, written at PS, default -3.
         pub interpolation_time_index: i8,
     }
 
@@ -3924,10 +3863,10 @@ pub mod dictionary {
         slots: &SLOTS_10,
         objects: &[
             object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-            object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
             object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 112, RO)], 0),
-            object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], 0),
-            object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 8, RO)], 0),
+            object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 256, RO)], 0),
+            object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 256, RO)], 0),
             object(
                 ObjectCode::Record,
                 0,
@@ -4145,7 +4084,7 @@ pub mod dictionary {
                     entry(10, 9, DataType::UNSIGNED32, 32, RW),
                     entry(11, 10, DataType::UNSIGNED16, 16, RO),
                     entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                    entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    entry(32, 12, DataType::BOOLEAN, 1, RO),
                 ],
                 386,
             ),
@@ -4167,7 +4106,7 @@ pub mod dictionary {
                     entry(10, 9, DataType::UNSIGNED32, 32, RW),
                     entry(11, 10, DataType::UNSIGNED16, 16, RO),
                     entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                    entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                    entry(32, 12, DataType::BOOLEAN, 1, RO),
                 ],
                 386,
             ),
@@ -4263,43 +4202,43 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_60,
         objects: &[
-            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 19, &[entry(0, 0, DataType::UNSIGNED16, 16, RO)], 0),
+            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+            object(
+                ObjectCode::Array,
+                0,
+                26,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW) },
+                393,
+            ),
             object(
                 ObjectCode::Array,
                 0,
                 27,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                388,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW) },
+                393,
             ),
-            object(
-                ObjectCode::Array,
-                0,
-                28,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX)) },
-                388,
-            ),
-            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
             object(
                 ObjectCode::Record,
                 0,
                 31,
                 &[
                     entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                    entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                    entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                    entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                    entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                 ],
                 388,
             ),
-            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
         ],
     };
 
@@ -4332,7 +4271,7 @@ pub mod dictionary {
 
     const NAMES_10: &[&str] = &[
         "Device type", "Error register", "Manufacturer device name", "Manufacturer hardware version",
-        "Manufacturer software version", "Identity object", "Highest subindex supported", "Vendor ID",
+        "Manufacturer software version", "Idendity object", "Highest subindex supported", "Vendor ID",
         "Product code", "Revision number", "Serial number",
     ];
 
@@ -4377,9 +4316,9 @@ pub mod dictionary {
     const NAMES_1C: &[&str] = &[
         "Sync Manager communication types", "Highest subindex supported", "SubIndex 001", "SubIndex 002",
         "SubIndex 003", "SubIndex 004", "Sync Manager 0 PDO assignment", "Highest subindex supported",
-        "Sync Manager 1 PDO assignment", "Highest subindex supported", "Sync Manager 2 PDO assignment",
+        "Sync Manager 1 PDO assignment", "Highest subindex supported", "Sync Manage r2 PDO assignment",
         "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
-        "SubIndex 005", "SubIndex 006", "SubIndex 007", "Sync Manager 3 PDO assignment",
+        "SubIndex 005", "SubIndex 006", "SubIndex 007", "Sync Manager3 PDO assignment",
         "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
         "SubIndex 005", "SubIndex 006", "Configuration DC modus", "Highest subindex supported",
         "Synchronization type", "Cycle time", "Shift time", "Synchronization types supported",
