@@ -61,6 +61,11 @@ use ::devc_runtime::{Device, error};
 /// Models: C-887.53, C-887.531, C-887.532, C-887.533.
 ///
 /// Source: p. 21.
+///
+/// Contradicted, revision: The only number that the manual gives, and no number of a release. The
+/// vendor's ESI file may have another.
+///
+/// Contradicted, serial: The digits in a row are no number of a device, and all devices would share it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct C887;
 
@@ -112,9 +117,6 @@ pub mod objects {
     /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (p. 21).
     ///
     /// The device profile in the lower half, what kind of device it describes in the upper half.
-    ///
-    /// Contradicted, default: The value is that of a device with one drive; CiA 301 has 0xFFFF in the upper
-    /// half for one with several. Six axes, each a CiA 402 drive.
     pub const DEVICE_TYPE: Entry<C887, u32, ReadOnly> = Entry::new(0x1000, 0);
 
     /// `0x1001:00` Error register. UINT8, ro, default 0 (p. 18, p. 21).
@@ -132,11 +134,17 @@ pub mod objects {
     /// `0x1009:00` Manufacturer hardware version. STRING(32), ro, default "0" (p. 21).
     ///
     /// The version of the hardware.
+    ///
+    /// Assumed, type: the manual has STRING without a length; its default, 0, is no version, so a longer
+    /// text has to fit.
     pub const MANUFACTURER_HARDWARE_VERSION: Entry<C887, str, ReadOnly> = Entry::new(0x1009, 0);
 
     /// `0x100A:00` Manufacturer software version. STRING(32), ro, default "0" (p. 21).
     ///
     /// The version of the firmware.
+    ///
+    /// Assumed, type: the manual has STRING without a length; its default, 0, is no version, so a longer
+    /// text has to fit.
     pub const MANUFACTURER_SOFTWARE_VERSION: Entry<C887, str, ReadOnly> = Entry::new(0x100A, 0);
 
     /// `0x1018` Idendity object.
@@ -310,20 +318,20 @@ pub mod objects {
 
         /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
         ///
-        /// Corrected, default; the source says: default = 0x02 (1). So the profile has it. The decimal column
-        /// has 1 in all four rows.
+        /// Corrected, default; the source says: default = 0x02 (1). Mailbox to the master, as in the profile.
+        /// The decimal column has 1 in all four rows.
         pub const ENTRY_2: Entry<C887, Entry2, ReadOnly> = Entry::new(0x1C00, 2);
 
         /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
         ///
-        /// Corrected, default; the source says: default = 0x03 (1). So the profile has it. The decimal column
-        /// has 1 in all four rows.
+        /// Corrected, default; the source says: default = 0x03 (1). Outputs, as in the profile. The decimal
+        /// column has 1 in all four rows.
         pub const ENTRY_3: Entry<C887, Entry3, ReadOnly> = Entry::new(0x1C00, 3);
 
         /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
         ///
-        /// Corrected, default; the source says: default = 0x04 (1). So the profile has it. The decimal column
-        /// has 1 in all four rows.
+        /// Corrected, default; the source says: default = 0x04 (1). Inputs, as in the profile. The decimal
+        /// column has 1 in all four rows.
         pub const ENTRY_4: Entry<C887, Entry4, ReadOnly> = Entry::new(0x1C00, 4);
     }
 
@@ -434,6 +442,8 @@ pub mod objects {
         /// `0x1C32:01` Synchronization type. UINT16, rw, default 2.
         ///
         /// What starts the handling of the outputs.
+        ///
+        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPE: Entry<C887, SynchronizationType, ReadWrite> = Entry::new(0x1C32, 1);
 
         /// `0x1C32:02` Cycle time. UINT32, rw.
@@ -450,11 +460,15 @@ pub mod objects {
         ///
         /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
         /// clocks, bits 5 and 6 those to shift the outputs, bit 14 that times depend on what is configured.
+        ///
+        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<C887, u16, ReadOnly> = Entry::new(0x1C32, 4);
 
         /// `0x1C32:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
         ///
         /// The shortest cycle that the device can keep up with.
+        ///
+        /// Assumed, default: in ns: the shortest cycle is 1 ms (p. 4, p. 6).
         pub const MINIMUM_CYCLE_TIME: Entry<C887, u32, ReadOnly> = Entry::new(0x1C32, 5);
 
         /// `0x1C32:06` Calc and copy time. UINT32, ro.
@@ -499,14 +513,15 @@ pub mod objects {
         pub const SYNC_ERROR: Entry<C887, bool, ReadOnly> = Entry::new(0x1C32, 32);
     }
 
-    /// `0x1C33` Configuration DC modus.
+    /// `0x1C33` SM input parameter.
     ///
     /// How the inputs, the data for the master, keep time, and how well they do.
     ///
     /// Source: p. 4, p. 24.
     ///
-    /// Contradicted, name: So the profile has it; the manual prints one name for both. 0x1C32 is about the
-    /// outputs, 0x1C33 about the inputs.
+    /// Corrected, name; the source says: name = Configuration DC modus. The profile's name. The manual has
+    /// one name for 0x1C32, which is about the outputs, and 0x1C33, which is about the inputs; it stands in
+    /// the row of the entries.
     pub mod sm_input_parameter {
         use super::*;
 
@@ -516,6 +531,8 @@ pub mod objects {
         /// `0x1C33:01` Synchronization type. UINT16, rw, default 2.
         ///
         /// What starts the handling of the inputs.
+        ///
+        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPE: Entry<C887, SmInputParameterSynchronizationType, ReadWrite> =
             Entry::new(0x1C33, 1);
 
@@ -533,11 +550,15 @@ pub mod objects {
         ///
         /// Bit 0 is free run, bit 1 synchronous with SM event, bits 2 to 4 the ways to use the distributed
         /// clocks, bits 5 and 6 those to shift the inputs, bit 14 that times depend on what is configured.
+        ///
+        /// Assumed, default: what ETG.1020 has for the only mode, synchronous with SYNC0 (p. 4).
         pub const SYNCHRONIZATION_TYPES_SUPPORTED: Entry<C887, u16, ReadOnly> = Entry::new(0x1C33, 4);
 
         /// `0x1C33:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
         ///
         /// The shortest cycle that the device can keep up with; the same as for the outputs.
+        ///
+        /// Assumed, default: in ns: the shortest cycle is 1 ms (p. 4, p. 6).
         pub const MINIMUM_CYCLE_TIME: Entry<C887, u32, ReadOnly> = Entry::new(0x1C33, 5);
 
         /// `0x1C33:06` Calc and copy time. UINT32, ro.
@@ -719,8 +740,8 @@ pub mod objects {
 
         /// `0x5010:00` Highest subindex supported. UINT8, ro, default 4.
         ///
-        /// Corrected, type; the source says: type = INT32. Subindex 0 of an array is always a UINT8, as it is
-        /// in all other objects of the manual; the row repeats the type of the entries.
+        /// Corrected, type; the source says: type = INT32. Subindex 0 is a UINT8 in each other object for which
+        /// the manual gives its type; the row repeats the type of the entries.
         ///
         /// Corrected, default; the source says: default = 2. Entries 1 to 4 are listed, and the text uses 3 and
         /// 4.
@@ -840,6 +861,9 @@ pub mod objects {
         /// `0x5013:01` Hexapod State. INT32, ro, default 0.
         ///
         /// The state of the hexapod as a whole, which follows from the states of all axes.
+        ///
+        /// Contradicted, default: The table of states starts at 1; 0 may be what is there before the first
+        /// update.
         pub const HEXAPOD_STATE: Entry<C887, HexapodState, ReadOnly> = Entry::new(0x5013, 1);
 
         /// `0x5013:02` Reserved. INT32, ro, default 0.
@@ -953,6 +977,8 @@ pub mod objects {
     /// Not among the objects of any mode; what it does here is not said.
     ///
     /// Source: p. 26 to 31.
+    ///
+    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     pub mod software_position_limit {
         use super::*;
 
@@ -962,6 +988,8 @@ pub mod objects {
         }
 
         /// `0x607D:01` Min position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
+        ///
+        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn min_position_limit(
             axis: Axis,
         ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
@@ -969,6 +997,8 @@ pub mod objects {
         }
 
         /// `0x607D:02` Max position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
+        ///
+        /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn max_position_limit(
             axis: Axis,
         ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
@@ -1015,6 +1045,8 @@ pub mod objects {
     /// `0x60B0:00` Position offset. INT32, rw, default 0, in mm or deg ÷ 100000 (p. 26 to 31).
     ///
     /// Not among the objects of any mode; what it does here is not said.
+    ///
+    /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
     pub const fn position_offset(axis: Axis) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Length, Angle>> {
         axis.entry(0x60B0, 0x800, 0).measured_in(units::position(axis))
     }
@@ -1035,14 +1067,14 @@ pub mod objects {
             axis.entry(0x60C2, 0x800, 0)
         }
 
-        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written at PS, default 1.
+        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only, default 1.
         ///
         /// It does nothing on Y, Z, U, V, W.
         pub const fn interpolation_time_period_value(axis: Axis) -> Entry<C887, u8, ReadWrite> {
             axis.entry(0x60C2, 0x800, 1)
         }
 
-        /// `0x60C2:02` Interpolation time index. INT8, rw, written at PS, default -3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only, default -3.
         ///
         /// It does nothing on Y, Z, U, V, W.
         pub const fn interpolation_time_index(axis: Axis) -> Entry<C887, i8, ReadWrite> {
@@ -1054,6 +1086,9 @@ pub mod objects {
     /// p. 26 to 31).
     ///
     /// The following error, calculated by the controller.
+    ///
+    /// Assumed, unit: the manual gives none, and does not name it among the scaled values (p. 14); a
+    /// difference of positions.
     pub const fn following_error_actual_value(
         axis: Axis,
     ) -> Entry<C887, i32, ReadOnly, Tx, Motion<Length, Angle>> {
@@ -1072,18 +1107,20 @@ pub mod objects {
     /// `0x60FF:00` Target velocity. INT32, rw, default 0, in mm/s or deg/s ÷ 100000 (p. 26 to 31).
     ///
     /// Not among the objects of any mode; what it does here is not said.
+    ///
+    /// Assumed, unit: the manual gives none for this object; it scales velocities as positions, p. 14.
     pub const fn target_velocity(
         axis: Axis,
     ) -> Entry<C887, i32, ReadWrite, Unmapped, Motion<Velocity, AngularVelocity>> {
         axis.entry(0x60FF, 0x800, 0).measured_in(units::velocity(axis))
     }
 
-    /// `0x6502:00` Supported drive modes. UINT32, ro, default 0 (p. 26 to 31).
+    /// `0x6502:00` Supported drive modes. UINT32, ro, default 160 (p. 26 to 31).
     ///
     /// The modes of operation that the drive knows, a bit for each.
     ///
-    /// Corrected, default; the source says: default = 0. Modes 6 and 8 are described at length and named as
-    /// those that there are. The device may fill the value in when it starts.
+    /// Corrected, default; the source says: default = 0x00000000 (0). Modes 6 and 8 are described at length
+    /// and named as those that there are: bits 5 and 7. The device may fill the value in when it starts.
     pub const fn supported_drive_modes(axis: Axis) -> Entry<C887, u32, ReadOnly> {
         axis.entry(0x6502, 0x800, 0)
     }
@@ -1091,6 +1128,9 @@ pub mod objects {
     /// `0x67FF:00` Device profile number. UINT32, ro, default 0 (p. 26 to 31).
     ///
     /// The number of the profile that the axis follows.
+    ///
+    /// Contradicted, default: 0x1000 and the whole text say profile 402; the manual calls the object device
+    /// profile number, and 0 names no profile. On all six axes.
     pub const fn device_profile_number(axis: Axis) -> Entry<C887, u32, ReadOnly> {
         axis.entry(0x67FF, 0x800, 0)
     }
@@ -1809,6 +1849,10 @@ impl VendorCode {
 /// Not together with `0x1601`.
 ///
 /// Source: p. 21, p. 22.
+///
+/// Assumed, mode: from its name.
+///
+/// Assumed, excludes: both would set the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1600 {
     /// `0x6040:00` Controlword.
@@ -1884,6 +1928,12 @@ impl Pdo for RxPdo1600 {
 /// Not together with `0x1600`.
 ///
 /// Source: p. 21, p. 22.
+///
+/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other.
+///
+/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
+///
+/// Assumed, excludes: both would set the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1601 {
     /// `0x6040:00` Controlword.
@@ -1975,6 +2025,10 @@ impl Pdo for RxPdo1601 {
 /// Not together with `0x1A01`.
 ///
 /// Source: p. 22 to 24.
+///
+/// Assumed, mode: from its name.
+///
+/// Assumed, excludes: both would send the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A00 {
     /// `0x6041:00` Statusword.
@@ -2056,6 +2110,12 @@ impl Pdo for TxPdo1A00 {
 /// Not together with `0x1A00`.
 ///
 /// Source: p. 23, p. 24.
+///
+/// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other.
+///
+/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
+///
+/// Assumed, excludes: both would send the same objects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A01 {
     /// `0x6041:00` Statusword.
@@ -2129,6 +2189,12 @@ impl Pdo for TxPdo1A01 {
 /// The outputs of the master with the PDOs assigned by default, 42 bytes.
 ///
 /// Source: p. 24.
+///
+/// Assumed, address: no source gives it; behind the mailboxes.
+///
+/// Assumed, max-size: six PP PDOs of 15 bytes.
+///
+/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outputs {
     /// RxPDO - CSP of each axis, in order.
@@ -2196,6 +2262,12 @@ impl ProcessImage for Outputs {
 /// The inputs of the master with the PDOs assigned by default, 66 bytes.
 ///
 /// Source: p. 24.
+///
+/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+///
+/// Assumed, max-size: six CSP PDOs of 11 bytes.
+///
+/// Assumed, control: three buffers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inputs {
     /// TxPDO - CSP of each axis, in order.
@@ -2263,6 +2335,12 @@ impl ProcessImage for Inputs {
 }
 
 /// Source: p. 24.
+///
+/// Assumed, address: no source gives it; behind the mailboxes.
+///
+/// Assumed, max-size: six PP PDOs of 15 bytes.
+///
+/// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
 impl Carries<Rx> for C887 {
     const SYNC_MANAGER: SyncManager = SyncManager {
         default: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650],
@@ -2282,6 +2360,12 @@ impl Carries<Rx> for C887 {
 }
 
 /// Source: p. 24.
+///
+/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+///
+/// Assumed, max-size: six CSP PDOs of 11 bytes.
+///
+/// Assumed, control: three buffers.
 impl Carries<Tx> for C887 {
     const SYNC_MANAGER: SyncManager = SyncManager {
         default: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
@@ -2326,6 +2410,9 @@ pub mod configurations {
     /// Cycle time: 1 ms.
     ///
     /// Source: p. 4, p. 11, p. 24, p. 26.
+    ///
+    /// Assumed, cycle-time: the shortest, which is the default of 0x60C2; whether another has to be written
+    /// there is not said.
     pub const CSP: [Write; 18] = [
         Write::new(Address::new(0x1C12, 0), &[0x00], "clear the assignment 0x1C12"),
         Write::new(Address::new(0x1C13, 0), &[0x00], "clear the assignment 0x1C13"),
@@ -2555,6 +2642,9 @@ pub mod commands {
     /// Enables the drive function.
     ///
     /// Source: p. 9, p. 12.
+    ///
+    /// Corrected, transitions; the source says: transitions = 4, 16. Transition 16 is said not to be
+    /// supported, and the table of transitions ends at 15.
     pub const ENABLE_OPERATION: Command = Command {
         name: "enable operation",
         pattern: Pattern { mask: 0x008F, value: 0x000F },
@@ -3181,13 +3271,15 @@ pub mod dictionary {
         pub manufacturer_software_version: &'static str,
         /// `0x1018` Idendity object.
         pub identity_object: IdentityObject,
+        /// `0x1C00` Sync Manager communication types.
+        pub sync_manager_communication_type: SyncManagerCommunicationType,
         /// `0x1C12` Sync Manage r2 PDO assignment.
         pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
         /// `0x1C13` Sync Manager3 PDO assignment.
         pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
         /// `0x1C32` Configuration DC modus.
         pub sm_output_parameter: SmOutputParameter,
-        /// `0x1C33` Configuration DC modus.
+        /// `0x1C33` SM input parameter.
         pub sm_input_parameter: SmInputParameter,
         /// `0x5000` Work coordinate system.
         ///
@@ -3440,6 +3532,19 @@ pub mod dictionary {
         pub serial_number: u32,
     }
 
+    /// `0x1C00` Sync Manager communication types.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct SyncManagerCommunicationType {
+        /// `0x1C00:01` SubIndex 001. UINT8, ro, default 1.
+        pub entry_1: Entry1,
+        /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
+        pub entry_2: Entry2,
+        /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
+        pub entry_3: Entry3,
+        /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
+        pub entry_4: Entry4,
+    }
+
     /// `0x1C12` Sync Manage r2 PDO assignment.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SyncManager2PdoAssignment {
@@ -3511,7 +3616,7 @@ pub mod dictionary {
         pub sync_error: bool,
     }
 
-    /// `0x1C33` Configuration DC modus.
+    /// `0x1C33` SM input parameter.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SmInputParameter {
         /// `0x1C33:01` Synchronization type. UINT16, rw, default 2.
@@ -3569,9 +3674,9 @@ pub mod dictionary {
     /// `0x60C2` Interpolation time period.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct InterpolationTimePeriod {
-        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written at PS, default 1.
+        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only, default 1.
         pub interpolation_time_period_value: u8,
-        /// `0x60C2:02` Interpolation time index. INT8, rw, written at PS, default -3.
+        /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only, default -3.
         pub interpolation_time_index: i8,
     }
 
@@ -4202,29 +4307,29 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_60,
         objects: &[
-            object(ObjectCode::Variable, 0, 19, &[entry(0, 0, DataType::UNSIGNED16, 16, RO)], 0),
-            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-            object(
-                ObjectCode::Array,
-                0,
-                26,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW) },
-                393,
-            ),
+            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RO)], 0),
+            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
+            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             object(
                 ObjectCode::Array,
                 0,
                 27,
                 &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW) },
-                393,
+                388,
             ),
-            object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+            object(
+                ObjectCode::Array,
+                0,
+                28,
+                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW) },
+                388,
+            ),
+            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+            object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
             object(
                 ObjectCode::Record,
                 0,
@@ -4236,9 +4341,9 @@ pub mod dictionary {
                 ],
                 388,
             ),
-            object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
-            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+            object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
         ],
     };
 
@@ -4323,11 +4428,11 @@ pub mod dictionary {
         "SubIndex 005", "SubIndex 006", "Configuration DC modus", "Highest subindex supported",
         "Synchronization type", "Cycle time", "Shift time", "Synchronization types supported",
         "Minimum cycle time", "Calc and copy time", "Minimum delay time", "Get cycle time", "Delay time",
-        "Sync0 cycle time", "SM event missed", "Cycle time too small", "Sync error",
-        "Configuration DC modus", "Highest subindex supported", "Synchronization type", "Cycle time",
-        "Shift time", "Synchronization types supported", "Minimum cycle time", "Calc and copy time",
-        "Minimum delay time", "Get cycle time", "Delay time", "Sync0 cycle time", "SM event missed",
-        "Cycle time too small", "Sync error",
+        "Sync0 cycle time", "SM event missed", "Cycle time too small", "Sync error", "SM input parameter",
+        "Highest subindex supported", "Synchronization type", "Cycle time", "Shift time",
+        "Synchronization types supported", "Minimum cycle time", "Calc and copy time", "Minimum delay time",
+        "Get cycle time", "Delay time", "Sync0 cycle time", "SM event missed", "Cycle time too small",
+        "Sync error",
     ];
 
     const NAMES_50: &[&str] = &[

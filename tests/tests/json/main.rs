@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use devc::emit::json::{FORMAT, Json, VERSION, schema};
-use devc::emit::{Emitter, emit};
+use devc::emit::{Emitter, Options, emit};
 use devc::source::Disk;
 use serde_json::Value;
 
@@ -22,7 +22,7 @@ fn outputs() -> Vec<(String, String)> {
     let texts = folders.iter().flat_map(|folder| {
         let compilation = devc::compile(&Disk, folder);
         let family = compilation.family.unwrap_or_else(|| panic!("{} compiles", folder.display()));
-        emit(&family, &[&Json as &dyn Emitter]).0
+        emit(&family, &[&Json as &dyn Emitter], &Options::default()).0
     });
     texts.collect()
 }
