@@ -2,7 +2,7 @@
 
 use devc_runtime::cia402::State::{self, *};
 use devc_runtime::cia402::{
-    Cause, Coupled, Drive, Events, Feedback, Goal, Master, ModeSwitch, Running, Timing,
+    Cause, Condition, Coupled, Drive, Events, Feedback, Goal, Machine, Master, ModeSwitch, Running, Timing,
 };
 
 use crate::device::c887::MACHINE;
@@ -82,10 +82,13 @@ fn axes_that_are_ahead_wait_for_the_others() {
     }
 }
 
+/// A device coupled like the C-887, but one that resets a fault only when its cause is gone.
+const WAITING: Machine = Machine { conditions: &[Condition::hindered(15, Events::FAULT)], ..MACHINE };
+
 #[test]
 fn a_reset_takes_all_axes_and_an_edge_for_each_that_was_not_ready() {
     for stuck in 1..1 << AXES {
-        let mut axes = Coupled::<AXES>::resumed(&MACHINE, Fault, 0);
+        let mut axes = Coupled::<AXES>::resumed(&WAITING, Fault, 0);
         axes.cycle(0x0080, on_axes(stuck, Events::FAULT));
         assert_eq!(axes.state(), Fault, "{stuck:06b}");
         axes.cycle(0x0080, [Events::NONE; AXES]);

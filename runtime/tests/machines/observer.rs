@@ -5,11 +5,11 @@ use devc_runtime::cia402::{Observer, State, StateSet};
 use crate::device::{c887, s700};
 
 #[test]
-fn states_of_the_s700_that_share_a_pattern_are_told_by_the_one_before() {
+fn states_that_share_a_pattern_as_the_s700_prints_it_are_told_by_the_one_before() {
     for before in State::ALL {
         for word in 0..=u16::MAX {
-            let mut observer = Observer::new(&s700::MACHINE);
-            observer.observe(s700::MACHINE.states.show(before, 0)).unwrap();
+            let mut observer = Observer::new(&s700::PRINTED);
+            observer.observe(s700::PRINTED.states.show(before, 0)).unwrap();
             let seen = observer.observe(word);
             // 3.4.3: x1xx 0000 is both, and nothing leads back to not ready to switch on
             if word & 0x004F == 0x0040 {
@@ -18,7 +18,7 @@ fn states_of_the_s700_that_share_a_pattern_are_told_by_the_one_before() {
                 let single = observer.possible().single().is_some();
                 assert_eq!(single, !was_off, "{before}");
             } else {
-                assert_eq!(seen, s700::MACHINE.states.decode(word));
+                assert_eq!(seen, s700::PRINTED.states.decode(word));
             }
         }
     }

@@ -16,7 +16,6 @@ pub(crate) const MACHINE: Machine = Machine {
         Condition::caused(13, Events::FAULT),
         Condition::caused(14, Events::FAULT_REACTION_OVER),
         Condition::caused(1, Events::INITIALISED),
-        Condition::hindered(15, Events::FAULT),
     ],
     refusal: Refusal::Fault,
     modes: Modes {
