@@ -10,8 +10,9 @@ pub mod double {
     //! controller makes the path and modes in which the drive does. It is set up with the software
     //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
     //!
-    //! Each axis has its own state machine, modes and process data. Coordinates with the number of the
-    //! axis, 1.A515 or 2.A515, tell them apart; parameters of the whole device have none.
+    //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
+    //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
+    //! none.
     //!
     //! A source without a document is a place in the first of these, 1005347-en-US-02:
     //!
@@ -49,8 +50,6 @@ pub mod double {
     /// The PMC SC6/SI6 double-axis, CiA 402.
     ///
     /// Models: PMC SC6, PMC SI6.
-    ///
-    /// Source: 5.3.2, 5.1.1.1.
     ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
     /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
@@ -104,14 +103,14 @@ pub mod double {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0xFFFF0192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1000:00` Device type. UINT32, ro, default 0xFFFF0192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: no source lists it; several drives after CiA 402.
         pub const DEVICE_TYPE: Entry<Double, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1008:00` Manufacturer device name. STRING(80), ro.
         ///
         /// The name of the device.
         ///
@@ -119,7 +118,7 @@ pub mod double {
         /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Double, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro.
         ///
         /// The version of the hardware.
         ///
@@ -127,7 +126,7 @@ pub mod double {
         /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<Double, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x100A:00` Manufacturer software version. STRING(80), ro.
         ///
         /// The version of the firmware.
         ///
@@ -138,8 +137,6 @@ pub mod double {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod identity_object {
             use super::*;
 
@@ -311,8 +308,6 @@ pub mod double {
         }
 
         /// `0x1C12` Sync manager 2 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
@@ -327,8 +322,6 @@ pub mod double {
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
@@ -345,8 +338,6 @@ pub mod double {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -425,8 +416,6 @@ pub mod double {
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -506,6 +495,8 @@ pub mod double {
         /// Sixteen bits, each with the source that A66 gives it.
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const fn status_word_user_defined(axis: Axis) -> Entry<Double, u16, ReadOnly, Tx> {
             axis.entry(0x2043, 0x8000, 0)
         }
@@ -513,6 +504,8 @@ pub mod double {
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const fn status_word_2(axis: Axis) -> Entry<Double, u16, ReadOnly, Tx> {
             axis.entry(0x28C9, 0x8000, 0)
         }
@@ -524,23 +517,26 @@ pub mod double {
             axis.entry(0x603F, 0x800, 0)
         }
 
-        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (6.5.2.1, 6.6, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Bits 0 to 3 and 7 make the commands of the device state machine; bits 4 to 6 belong to the mode.
         pub const fn controlword(axis: Axis) -> Entry<Double, Controlword, ReadWrite, RxTx> {
             axis.entry(0x6040, 0x800, 0)
         }
 
-        /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6041:00` Statusword. WORD, ro, TxPDO (6.5, 6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Its bits show the state of the drive, and bits 10, 12 and 13 what the mode has come to.
         pub const fn statusword(axis: Axis) -> Entry<Double, Statusword, ReadOnly, Tx> {
             axis.entry(0x6041, 0x800, 0)
         }
 
-        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (6.6.6, Tab. 17 to 19, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in velocity mode, before limits and ramps.
+        /// The set velocity of velocity mode, as bits 4 to 6 of the control word let it through.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const fn vl_target_velocity(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
             axis.entry(0x6042, 0x800, 0)
         }
@@ -552,9 +548,11 @@ pub mod double {
             axis.entry(0x6043, 0x800, 0)
         }
 
-        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (Tab. 20, Tab. 21, Tab. 34, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const fn vl_velocity_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
             axis.entry(0x6044, 0x800, 0)
         }
@@ -596,12 +594,12 @@ pub mod double {
                 axis.entry(0x6048, 0x800, 0)
             }
 
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 1)
             }
 
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 2)
             }
@@ -620,12 +618,12 @@ pub mod double {
                 axis.entry(0x6049, 0x800, 0)
             }
 
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 1)
             }
 
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 2)
             }
@@ -644,12 +642,12 @@ pub mod double {
                 axis.entry(0x604A, 0x800, 0)
             }
 
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const fn delta_speed(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 1)
             }
 
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const fn delta_time(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 2)
             }
@@ -703,49 +701,50 @@ pub mod double {
             }
         }
 
-        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (6.5.2.7, Tab. 34, Tab. 35).
         ///
-        /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const fn quick_stop_option_code(axis: Axis) -> Entry<Double, QuickStopOptionCode, ReadWrite, Rx> {
+        /// Its values are not given. After a quick stop, the drive always goes to Switch on disabled.
+        pub const fn quick_stop_option_code(axis: Axis) -> Entry<Double, i16, ReadWrite, Rx> {
             axis.entry(0x605A, 0x800, 0)
         }
 
-        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (6.5.2.8, Tab. 34, Tab. 35).
         ///
-        /// What the drive does when a fault is found.
-        pub const fn fault_reaction_option_code(
-            axis: Axis,
-        ) -> Entry<Double, FaultReactionOptionCode, ReadWrite, Rx> {
+        /// Its values are not given. The reaction depends on the fault.
+        pub const fn fault_reaction_option_code(axis: Axis) -> Entry<Double, i16, ReadWrite, Rx> {
             axis.entry(0x605E, 0x800, 0)
         }
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
+        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, 6.6, Tab. 30, Tab. 31,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is asked for; 0x6061 tells when it is active.
+        /// Selects the mode of operation by its number; 0x6061 shows the one that is active.
         pub const fn modes_of_operation(axis: Axis) -> Entry<Double, i8, ReadWrite, RxTx> {
             axis.entry(0x6060, 0x800, 0)
         }
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is active.
+        /// The number of the mode of operation that is active.
         pub const fn modes_of_operation_display(axis: Axis) -> Entry<Double, i8, ReadOnly, Tx> {
             axis.entry(0x6061, 0x800, 0)
         }
 
-        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.4.3.1, Tab. 32, Tab.
+        /// 33, Tab. 34, Tab. 35).
         ///
-        /// The measured position, in position units.
+        /// The actual position. If the controller keeps the reference (I46 = 5), it is the absolute position of
+        /// the motor encoder.
         pub const fn position_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
             axis.entry(0x6064, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab.
-        /// 34; 7.2.2, Tab. 35).
+        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (5.1.4.2.4,
+        /// Tab. 34, Tab. 35).
         ///
-        /// How far the actual position may be from the demanded one, to either side, before a following error
-        /// is counted; the largest value switches the supervision off.
+        /// The tolerance of the check for lag.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const fn following_error_window(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx, Angle> {
             axis.entry(0x6065, 0x800, 0).measured_in(units::POSITION)
         }
@@ -758,15 +757,15 @@ pub mod double {
             axis.entry(0x6066, 0x800, 0)
         }
 
-        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2, Tab.
-        /// 35).
+        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in inc/s / 10^A310 (6.7, Tab. 32, Tab. 33, Tab.
+        /// 34, Tab. 35).
         ///
-        /// The measured velocity, in velocity units.
+        /// The actual velocity. Below C40 the axis stands (I199 = 1).
         pub const fn velocity_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx> {
             axis.entry(0x606C, 0x800, 0)
         }
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
         pub const fn target_torque(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
@@ -788,7 +787,7 @@ pub mod double {
             axis.entry(0x6076, 0x800, 0)
         }
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
         pub const fn torque_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
@@ -809,21 +808,20 @@ pub mod double {
             axis.entry(0x6079, 0x800, 0)
         }
 
-        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (6.6.2, 6.6.5, Tab.
+        /// 15, Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The position to move to: the end of a move in profile position mode, the next point of the path in
-        /// cyclic synchronous position mode.
+        /// The set position: where a move of profile position mode ends, absolute or as a distance, or the next
+        /// position of cyclic synchronous position mode.
         pub const fn target_position(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
             axis.entry(0x607A, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x607B` Position range limit.
         ///
-        /// The range of position values; at one end the count goes on from the other, as a rotary axis needs
-        /// it.
+        /// Its second value is the length of a revolution of an endless axis; the first does nothing.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
@@ -832,14 +830,14 @@ pub mod double {
                 axis.entry(0x607B, 0x800, 0)
             }
 
-            /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// There for compatibility only, it does nothing.
             pub const fn min_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
                 axis.entry(0x607B, 0x800, 1).measured_in(units::POSITION)
             }
 
-            /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
@@ -848,22 +846,23 @@ pub mod double {
             }
         }
 
-        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34; 7.2.2,
+        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (6.4.1.1, 6.4.2, Tab. 34,
         /// Tab. 35).
         ///
-        /// The distance from the home position found by homing to the zero of the position values.
+        /// The reference position, as the chapters on referencing call it: at the event that the homing method
+        /// waits for, it takes the place of the actual position I80.
         pub const fn home_offset(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
             axis.entry(0x607C, 0x800, 0).measured_in(units::POSITION)
         }
 
         /// `0x607D` Software position limit.
         ///
-        /// The least and the greatest position that may be demanded or reached.
+        /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
         ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34.
+        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
@@ -872,22 +871,22 @@ pub mod double {
                 axis.entry(0x607D, 0x800, 0)
             }
 
-            /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn min_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub const fn min_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
                 axis.entry(0x607D, 0x800, 1).measured_in(units::POSITION)
             }
 
-            /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn max_position_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub const fn max_position_range_limit(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
                 axis.entry(0x607D, 0x800, 2).measured_in(units::POSITION)
             }
         }
 
-        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, Tab. 34).
+        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
-        /// Which set values and actual values are multiplied by -1.
+        /// The direction of the axis against that of the motor.
         ///
-        /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
+        /// Only bit 7 has a function.
         pub const fn polarity(axis: Axis) -> Entry<Double, Polarity, ReadWrite, Rx> {
             axis.entry(0x607E, 0x800, 0)
         }
@@ -941,11 +940,9 @@ pub mod double {
 
         /// `0x6091` Gear ratio.
         ///
-        /// Revolutions of the motor for revolutions of the shaft behind the gear.
+        /// The gear ratio: revolutions of the motor for revolutions of the shaft. Set for HiRes Motion only.
         ///
-        /// Set for HiRes Motion only.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod gear_ratio {
             use super::*;
 
@@ -967,12 +964,10 @@ pub mod double {
 
         /// `0x6092` Feed constant.
         ///
-        /// The way that the load goes, in position units, for revolutions of the shaft behind the gear.
+        /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
+        /// controller scales; set to the feed of the axis with HiRes Motion.
         ///
-        /// Stays at its preset with CiA 402, where the controller scales; set to the feed of the axis with
-        /// HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
@@ -992,18 +987,19 @@ pub mod double {
             }
         }
 
-        /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6098:00` Homing method. INT8, rw (6.4.1, Tab. 34, Tab. 35).
         ///
-        /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
+        /// How the axis is referenced, by the number of the method.
         pub const fn homing_method(axis: Axis) -> Entry<Double, HomingMethod, ReadWrite> {
             axis.entry(0x6098, 0x800, 0)
         }
 
         /// `0x6099` Homing speeds.
         ///
-        /// How fast the drive moves while it looks for the home position.
+        /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
+        /// method says.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
@@ -1023,10 +1019,10 @@ pub mod double {
             }
         }
 
-        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (6.4.1.1, Tab. 34,
+        /// Tab. 35).
         ///
-        /// How the drive gets faster and slower while it looks for the home position.
+        /// Acceleration and deceleration of referencing.
         pub const fn homing_acceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x609A, 0x800, 0)
         }
@@ -1043,30 +1039,26 @@ pub mod double {
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
         ///
         /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
-        pub mod profile_jerk {
+        pub mod profile_jerk_a {
             use super::*;
 
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const fn highest_subindex_supported(axis: Axis) -> Entry<Double, u8, ReadOnly> {
-                axis.entry(0x60A4, 0x800, 0)
-            }
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
-            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub const fn profile_jerk_1(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
-                axis.entry(0x60A4, 0x800, 1)
-            }
+            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<Double, u32, ReadWrite, RxTx> =
+                Entry::new(0x60A4, 1);
         }
 
-        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (6.9.4.1, Tab. 30, Tab.
+        /// 31, Tab. 34, Tab. 35).
         ///
-        /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
-        /// cyclic synchronous position mode.
+        /// With an external feedforward, the set velocity that the controller sends beside the set position.
         pub const fn velocity_offset(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
             axis.entry(0x60B1, 0x800, 0)
         }
 
-        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
@@ -1074,48 +1066,48 @@ pub mod double {
             axis.entry(0x60B2, 0x800, 0)
         }
 
-        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Switches the touch probes on and says which edges of which signal they look for.
+        /// Switches the two position measurements on and says which edges they look for.
         pub const fn touch_probe_function(axis: Axis) -> Entry<Double, TouchProbeFunction, ReadWrite, RxTx> {
             axis.entry(0x60B8, 0x800, 0)
         }
 
-        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Which touch probes are on, and which edges they have seen.
+        /// Which position measurements are on, and which edges they have met.
         pub const fn touch_probe_status(axis: Axis) -> Entry<Double, TouchProbeStatus, ReadOnly, Tx> {
             axis.entry(0x60B9, 0x800, 0)
         }
 
-        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 1 has seen.
+        /// The position at the rising edge of signal 1. It stays when the measurement is switched off.
         pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
             axis.entry(0x60BA, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 1 has seen.
+        /// The position at the falling edge of signal 1. It stays when the measurement is switched off.
         pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
             axis.entry(0x60BB, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 2 has seen.
+        /// The position at the rising edge of signal 2; measurement 2 works as 1 does.
         pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
             axis.entry(0x60BC, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 2 has seen.
+        /// The position at the falling edge of signal 2; measurement 2 works as 1 does.
         pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
             axis.entry(0x60BD, 0x800, 0).measured_in(units::POSITION)
         }
@@ -1123,42 +1115,31 @@ pub mod double {
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const fn interpolation_sub_mode_select(
-            axis: Axis,
-        ) -> Entry<Double, InterpolationSubModeSelect, ReadWrite, Rx> {
+        pub const fn interpolation_sub_mode_select(axis: Axis) -> Entry<Double, i16, ReadWrite, Rx> {
             axis.entry(0x60C0, 0x800, 0)
         }
 
         /// `0x60C1` Interpolation data record.
         ///
-        /// The set-points between which interpolated position mode interpolates; what each of them holds
-        /// depends on the way of interpolating.
+        /// The set position of interpolated position mode: one value, not a set of them.
         ///
-        /// One set value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 34.
-        pub mod interpolation_data_record {
+        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        pub mod interpolation_data_record_a {
             use super::*;
 
             /// `0x60C1:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const fn highest_subindex_supported(axis: Axis) -> Entry<Double, u8, ReadOnly> {
-                axis.entry(0x60C1, 0x800, 0)
-            }
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x60C1, 0);
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const fn _1st_set_point(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
-                axis.entry(0x60C1, 0x800, 1).measured_in(units::POSITION)
-            }
+            pub const _1ST_SET_POINT: Entry<Double, i32, ReadWrite, RxTx, Angle> =
+                Entry::new(0x60C1, 1).measured_in(units::POSITION);
         }
 
         /// `0x60C2` Interpolation time period.
         ///
-        /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
-        /// 10^index seconds.
+        /// The interval between set values. It goes to A291, which must be A150 or a multiple of it.
         ///
-        /// Goes to A291, which must be A150 or a multiple of it.
-        ///
-        /// Source: 6.10, Tab. 34.
+        /// Source: 6.10, Tab. 34, Tab. 35.
         pub mod interpolation_time_period {
             use super::*;
 
@@ -1215,7 +1196,7 @@ pub mod double {
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
             ///
             /// There for compatibility only, it does nothing.
-            pub const fn buffer_organisation(axis: Axis) -> Entry<Double, BufferOrganisation, ReadWrite> {
+            pub const fn buffer_organisation(axis: Axis) -> Entry<Double, u8, ReadWrite> {
                 axis.entry(0x60C4, 0x800, 3)
             }
 
@@ -1240,7 +1221,7 @@ pub mod double {
             /// `0x60C4:06` Buffer clear. UINT8, wo.
             ///
             /// There for compatibility only, it does nothing.
-            pub const fn buffer_clear(axis: Axis) -> Entry<Double, BufferClear, WriteOnly> {
+            pub const fn buffer_clear(axis: Axis) -> Entry<Double, u8, WriteOnly> {
                 axis.entry(0x60C4, 0x800, 6)
             }
         }
@@ -1263,9 +1244,10 @@ pub mod double {
 
         /// `0x60D0` Touch probe source.
         ///
-        /// The signal that triggers a touch probe if 0x60B8 leaves the choice to this object.
+        /// The sources of the signals 1 and 2, such as digital input DI1. Their values stand in a place that
+        /// the manual does not contain.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.11, Tab. 34, Tab. 35.
         pub mod touch_probe_source {
             use super::*;
 
@@ -1403,7 +1385,7 @@ pub mod double {
         ///
         /// The positions measured by further encoders, in position units.
         ///
-        /// Source: Tab. 32, Tab. 34.
+        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
@@ -1420,25 +1402,26 @@ pub mod double {
             }
         }
 
-        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (Tab. 15, Tab. 34, Tab. 35).
         ///
-        /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
-        /// turns.
+        /// What a distance of profile position mode is counted from.
         pub const fn positioning_option_code(
             axis: Axis,
         ) -> Entry<Double, PositioningOptionCode, ReadWrite, Rx> {
             axis.entry(0x60F2, 0x800, 0)
         }
 
-        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (Tab. 32, Tab. 33,
+        /// Tab. 34, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const fn following_error_actual_value(axis: Axis) -> Entry<Double, i32, ReadOnly, Tx, Angle> {
             axis.entry(0x60F4, 0x800, 0).measured_in(units::POSITION)
         }
 
-        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
@@ -1471,8 +1454,8 @@ pub mod double {
             }
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (Tab. 30, Tab. 31, Tab.
+        /// 34, Tab. 35).
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
@@ -1489,6 +1472,40 @@ pub mod double {
         pub const fn supported_drive_modes(axis: Axis) -> Entry<Double, SupportedDriveModes, ReadOnly> {
             axis.entry(0x6502, 0x800, 0)
         }
+
+        /// `0x68A4` Profile jerk.
+        ///
+        /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
+        ///
+        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        pub mod profile_jerk_b {
+            use super::*;
+
+            /// `0x68A4:00` Highest subindex supported. UINT8, ro, default 1.
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x68A4, 0);
+
+            /// `0x68A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            pub const PROFILE_JERK_1: Entry<Double, u32, ReadWrite, RxTx> = Entry::new(0x68A4, 1);
+        }
+
+        /// `0x68C1` Interpolation data record.
+        ///
+        /// The set position of interpolated position mode: one value, not a set of them.
+        ///
+        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        ///
+        /// Contradicted, kind: The profile has an array; the kind of an object with one entry shows in SDO
+        /// information only. An array on both, as far as one can tell.
+        pub mod interpolation_data_record_b {
+            use super::*;
+
+            /// `0x68C1:00` Highest subindex supported. UINT8, ro, default 1.
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x68C1, 0);
+
+            /// `0x68C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub const _1ST_SET_POINT: Entry<Double, i32, ReadWrite, RxTx, Angle> =
+                Entry::new(0x68C1, 1).measured_in(units::POSITION);
+        }
     }
 
     /// `0x6040` Control word.
@@ -1496,12 +1513,14 @@ pub mod double {
     /// Bits 0 to 3 and 7 together make a command, bits 4 to 6 belong to the mode. Of bits 8 to 15 the
     /// manual says nothing.
     ///
-    /// Source: 6.5.2.1, 6.6.
+    /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.9, 6.6, Tab. 5.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
         /// Bit 0: switch on.
+        ///
+        /// Set to switch on; cleared to shut down.
         pub const fn switch_on(self) -> bool {
             self.0 & 1 << 0 != 0
         }
@@ -1513,6 +1532,8 @@ pub mod double {
         }
 
         /// Bit 1: enable voltage.
+        ///
+        /// Set to shut down from Switch on disabled; 0 disables the voltage.
         pub const fn enable_voltage(self) -> bool {
             self.0 & 1 << 1 != 0
         }
@@ -1525,7 +1546,7 @@ pub mod double {
 
         /// Bit 2: quick stop.
         ///
-        /// Asks for a quick stop while it is 0.
+        /// 0 asks for a quick stop; set, the request is withdrawn.
         pub const fn quick_stop(self) -> bool {
             self.0 & 1 << 2 != 0
         }
@@ -1537,6 +1558,8 @@ pub mod double {
         }
 
         /// Bit 3: enable operation.
+        ///
+        /// Set to enable operation; cleared to disable it.
         pub const fn enable_operation(self) -> bool {
             self.0 & 1 << 3 != 0
         }
@@ -1549,7 +1572,7 @@ pub mod double {
 
         /// Bit 7: fault reset.
         ///
-        /// On the rising edge: Leaves the state fault if its cause is gone.
+        /// On the rising edge: Acknowledges a fault whose cause is remedied.
         pub const fn fault_reset(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -1562,7 +1585,7 @@ pub mod double {
 
         /// Bit 4 in mode -1 (jog): jog positive.
         ///
-        /// Moves in the positive direction; with bit 5 the drive stops.
+        /// Moves in the positive direction; going to 0, or with bit 5, the axis brakes to a standstill.
         pub const fn jog_jog_positive(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -1575,7 +1598,7 @@ pub mod double {
 
         /// Bit 5 in mode -1 (jog): jog negative.
         ///
-        /// Moves in the negative direction; with bit 4 the drive stops.
+        /// Moves in the negative direction; going to 0, or with bit 4, the axis brakes to a standstill.
         pub const fn jog_jog_negative(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -1697,7 +1720,8 @@ pub mod double {
 
     /// `0x6041` Statusword.
     ///
-    /// Shows the state of the device, which E48 shows, too.
+    /// Shows the state of the drive, which E48 shows, too. Bits 10, 12 and 13 take their signals from A925
+    /// to A928.
     ///
     /// Source: 6.5, 6.5.2, 6.6.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -1813,7 +1837,8 @@ pub mod double {
 
         /// Bit 10 in mode 4 (tq): target reached.
         ///
-        /// The set torque or force is reached, by the torque window. From the source A925.
+        /// The set torque or force is reached: it differs from the actual one by more than the torque window,
+        /// as printed. From the source A925.
         pub const fn tq_target_reached(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -1881,14 +1906,20 @@ pub mod double {
 
     /// `0x607E` Polarity.
     ///
-    /// Source: Tab. 34.
+    /// Source: 5.1.4.2.2, Tab. 34.
+    ///
+    /// Assumed, bits.6: the manual gives bit 7 only, without a name; its name, and that of bit 6, are the
+    /// profile's.
+    ///
+    /// Assumed, bits.7.about: the manual gives bit 7 only, without a name; its name, and that of bit 6, are
+    /// the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Polarity(pub u8);
 
     impl Polarity {
         /// Bit 7: position polarity.
         ///
-        /// Positions are multiplied by -1.
+        /// Turns the direction of the axis against that of the motor.
         pub const fn position_polarity(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -1909,17 +1940,29 @@ pub mod double {
     ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.4: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.5: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.12: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.13: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -1966,6 +2009,8 @@ pub mod double {
         }
 
         /// Bit 4: touch probe 1 positive edge.
+        ///
+        /// The rising edge of the signal is measured; its position goes to 0x60BA.
         pub const fn touch_probe_1_positive_edge(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -1977,6 +2022,8 @@ pub mod double {
         }
 
         /// Bit 5: touch probe 1 negative edge.
+        ///
+        /// The falling edge of the signal is measured; its position goes to 0x60BB.
         pub const fn touch_probe_1_negative_edge(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -2040,6 +2087,8 @@ pub mod double {
         }
 
         /// Bit 12: touch probe 2 positive edge.
+        ///
+        /// As bit 4, with 0x60BC.
         pub const fn touch_probe_2_positive_edge(self) -> bool {
             self.0 & 1 << 12 != 0
         }
@@ -2051,6 +2100,8 @@ pub mod double {
         }
 
         /// Bit 13: touch probe 2 negative edge.
+        ///
+        /// As bit 5, with 0x60BD.
         pub const fn touch_probe_2_negative_edge(self) -> bool {
             self.0 & 1 << 13 != 0
         }
@@ -2077,13 +2128,27 @@ pub mod double {
 
     /// `0x60B9` Touch probe status.
     ///
+    /// All bits of a measurement are cleared when it is switched off.
+    ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.0: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.2: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.10: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -2115,16 +2180,22 @@ pub mod double {
         }
 
         /// Bit 8: touch probe 2 enabled.
+        ///
+        /// Answers bit 8 of 0x60B8.
         pub const fn touch_probe_2_enabled(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
         /// Bit 9: touch probe 2 positive edge stored.
+        ///
+        /// As bit 1.
         pub const fn touch_probe_2_positive_edge_stored(self) -> bool {
             self.0 & 1 << 9 != 0
         }
 
         /// Bit 10: touch probe 2 negative edge stored.
+        ///
+        /// As bit 2.
         pub const fn touch_probe_2_negative_edge_stored(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -2139,9 +2210,16 @@ pub mod double {
 
     /// `0x60F2` Positioning option code.
     ///
+    /// With bit 6 of the control word at 1, bits 0 and 1 choose between the motion commands
+    /// MC\_MoveAdditive (00) and MC\_MoveRelative (10).
+    ///
     /// Source: Tab. 15, Tab. 28.
     ///
-    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
+    /// Assumed, bits.0..=1.about: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -2237,8 +2315,6 @@ pub mod double {
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
-    ///
-    /// Source: Tab. 34.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct DigitalInputs(pub u32);
 
@@ -2272,8 +2348,6 @@ pub mod double {
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
-    ///
-    /// Source: Tab. 30.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PhysicalOutputs(pub u32);
 
@@ -2307,9 +2381,7 @@ pub mod double {
 
     /// `0x6502` Supported drive modes.
     ///
-    /// Source: Tab. 34.
-    ///
-    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
+    /// Assumed, bits.3.about: the manual gives no bit of it; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -2497,229 +2569,6 @@ pub mod double {
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
-    /// `0x605A:00` Quick stop option code.
-    ///
-    /// How the drive stops on the command quick stop, and where it goes from there.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct QuickStopOptionCode(pub i16);
-
-    impl QuickStopOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to switch on disabled.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to switch on disabled.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to switch on disabled.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to switch on disabled.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// Slow down ramp, stay.
-        ///
-        /// Slows down on the slow down ramp, then stays in quick stop active.
-        pub const SLOW_DOWN_RAMP_STAY: Self = Self(5);
-
-        /// Quick stop ramp, stay.
-        ///
-        /// Slows down on the quick stop ramp, then stays in quick stop active.
-        pub const QUICK_STOP_RAMP_STAY: Self = Self(6);
-
-        /// Current limit, stay.
-        ///
-        /// Slows down as hard as the current limit allows, then stays in quick stop active.
-        pub const CURRENT_LIMIT_STAY: Self = Self(7);
-
-        /// Voltage limit, stay.
-        ///
-        /// Slows down as hard as the voltage limit allows, then stays in quick stop active.
-        pub const VOLTAGE_LIMIT_STAY: Self = Self(8);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                5 => Some("slow down ramp, stay"),
-                6 => Some("quick stop ramp, stay"),
-                7 => Some("current limit, stay"),
-                8 => Some("voltage limit, stay"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
-                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
-                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
-                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
-                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
-                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
-                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(QuickStopOptionCode, "{}");
-
-    ::devc_runtime::value!(QuickStopOptionCode as i16);
-
-    /// `0x605E:00` Fault reaction option code.
-    ///
-    /// What the drive does when a fault is found.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct FaultReactionOptionCode(pub i16);
-
-    impl FaultReactionOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to fault.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to fault.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to fault.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to fault.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to fault.",
-                2 => "Slows down on the quick stop ramp, then goes to fault.",
-                3 => "Slows down as hard as the current limit allows, then goes to fault.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
-
-    ::devc_runtime::value!(FaultReactionOptionCode as i16);
-
-    /// `0x60C0:00` Interpolation sub mode select.
-    ///
-    /// The way of interpolating; negative values are the manufacturer's.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct InterpolationSubModeSelect(pub i16);
-
-    impl InterpolationSubModeSelect {
-        /// Linear interpolation.
-        pub const LINEAR_INTERPOLATION: Self = Self(0);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("linear interpolation"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
-
-    ::devc_runtime::value!(InterpolationSubModeSelect as i16);
-
-    /// `0x60C4:03` Buffer organisation.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferOrganisation(pub u8);
-
-    impl BufferOrganisation {
-        /// FIFO buffer.
-        pub const FIFO_BUFFER: Self = Self(0);
-
-        /// Ring buffer.
-        pub const RING_BUFFER: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("FIFO buffer"),
-                1 => Some("ring buffer"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferOrganisation, "{}");
-
-    ::devc_runtime::value!(BufferOrganisation as u8);
-
-    /// `0x60C4:06` Buffer clear.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferClear(pub u8);
-
-    impl BufferClear {
-        /// Clear the buffer and refuse records.
-        pub const CLEAR_THE_BUFFER_AND_REFUSE_RECORDS: Self = Self(0);
-
-        /// Accept records.
-        pub const ACCEPT_RECORDS: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("clear the buffer and refuse records"),
-                1 => Some("accept records"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferClear, "{}");
-
-    ::devc_runtime::value!(BufferClear as u8);
-
     /// An error code of Pilz's own system.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub struct VendorCode(pub u32);
@@ -2734,9 +2583,10 @@ pub mod double {
 
         /// Limit switch.
         ///
-        /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
-        /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
-        /// its edge, a software switch once the actual position is beyond it by more than I22.
+        /// A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the
+        /// axis can move only away from the switch: I196 shows the direction that is locked, and the fault
+        /// cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch
+        /// with the window I22, by the condition of its cause.
         ///
         /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
@@ -2763,7 +2613,7 @@ pub mod double {
             match self.0 {
                 52 => "Named only to show what an event looks like on the display.",
                 53 =>
-                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                    "A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the axis can move only away from the switch: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch with the window I22, by the condition of its cause.",
                 78 => "Set values stayed away; the drive goes to Fault.",
                 _ => "",
             }
@@ -3056,8 +2906,6 @@ pub mod double {
 
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
     ///
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -3128,8 +2976,6 @@ pub mod double {
     }
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
-    ///
-    /// Source: 5.1.3, 7.1.
     ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
@@ -3202,8 +3048,6 @@ pub mod double {
             &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -3222,8 +3066,6 @@ pub mod double {
         };
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -3290,39 +3132,36 @@ pub mod double {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
-    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
-    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    /// *Not ready to switch on* `x0xx 0000`: The drive starts up, tests itself and loads its parameters.
+    /// Power unit, drive function and activation function are locked. The brakes stay applied. (6.5.2.2)
     ///
-    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
-    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// *Switch on disabled* `x1xx 0000`: Start and self-test have ended well. E47 and E49 tell which of the
+    /// causes it is. Power unit, drive function and activation function are locked. The brakes are applied
     /// unless the release override is active. (6.5.2.3)
     ///
-    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
-    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
-    /// applied unless the release override is active. (6.5.2.4)
+    /// *Ready to switch on* `x01x 0001`: The drive waits for the command Switch on. Power unit and drive
+    /// function are locked; the activation function is enabled. The brakes are applied unless the release
+    /// override is active. (6.5.2.4)
     ///
-    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
-    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
-    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    /// *Switched on* `x01x 0011`: The power unit is on, without torque or force. The power unit is on. The
+    /// drive function is locked; set values are not processed. There is no torque or force. The brakes stay
+    /// applied unless the release override is active. (6.5.2.5)
     ///
-    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
-    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
-    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
-    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    /// *Operation enabled* `x01x 0111`: The drive follows its set values. The power unit is on. The drive
+    /// function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first
+    /// motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the
+    /// brakes. (6.5.2.6)
     ///
-    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
-    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
-    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    /// *Quick stop active* `x00x 0111`: The drive makes a quick stop. The power unit is on and the drive
+    /// function is enabled. The brakes are released, or stay so. No motion command is carried out.
+    /// (6.5.2.7, 6.8)
     ///
-    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
-    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
-    /// applied depends on the reaction. (6.5.2.8)
+    /// *Fault reaction active* `x0xx 1111`: The drive has found a fault and reacts as that fault asks.
+    /// Whether the brakes are applied depends on the reaction. (6.5.2.8)
     ///
-    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
-    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
-    /// activation function are locked. The brakes are applied unless the release override is active. No
-    /// motion command is carried out. (6.5.2.9, 6.8)
+    /// *Fault* `x0xx 1000`: The drive has found a fault, and the reaction is over. Power unit, drive
+    /// function and activation function are locked. The brakes are applied unless the release override is
+    /// active. No motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -3338,52 +3177,56 @@ pub mod double {
     pub const fn state_text(state: State) -> &'static str {
         match state {
             State::NotReadyToSwitchOn =>
-                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+                "The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
             State::SwitchOnDisabled =>
-                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+                "Start and self-test have ended well. E47 and E49 tell which of the causes it is. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
             State::ReadyToSwitchOn =>
-                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+                "The drive waits for the command Switch on. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
             State::SwitchedOn =>
-                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+                "The power unit is on, without torque or force. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
             State::OperationEnabled =>
-                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+                "The drive follows its set values. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
             State::QuickStopActive =>
-                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+                "The drive makes a quick stop. The power unit is on and the drive function is enabled. The brakes are released, or stay so. No motion command is carried out.",
             State::FaultReactionActive =>
-                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+                "The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
             State::Fault =>
-                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+                "The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
         }
     }
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    /// *0*: The drive gets its supply, or is restarted.
     ///
-    /// *1*: The drive has started; communication is possible.
+    /// *1*: The drive does this by itself.
     ///
-    /// *3*: The power stage gets its supply.
+    /// *2*: The activation function is enabled.
     ///
-    /// *4*: The drive function starts; set values from before are cleared.
+    /// *3*: The power unit is switched on.
     ///
-    /// *5*: The drive function ends.
+    /// *4*: The drive function is enabled; set values are processed from now on.
     ///
-    /// *6*: The supply of the power stage may be switched off.
+    /// *5*: The drive function is locked; the power unit stays on.
     ///
-    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    /// *6*: The power unit is locked.
     ///
-    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    /// *7*: The activation function is locked.
     ///
-    /// *10*: The supply of the power stage may be switched off.
+    /// *8*: Drive function and power unit are locked.
+    ///
+    /// *9*: Drive function, power unit and activation function are locked.
+    ///
+    /// *10*: Power unit and activation function are locked.
     ///
     /// *11*: The quick stop begins.
     ///
-    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    /// *12*: The quick stop is over, or cut short: drive function, power unit and activation function are
+    /// locked.
     ///
-    /// *13*: The fault reaction begins.
+    /// *13*: The reaction to the fault begins.
     ///
-    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
-    /// switched off.
+    /// *14*: The reaction is over; power unit, drive function and activation function are locked.
     ///
     /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
@@ -3429,9 +3272,10 @@ pub mod double {
 
         /// Shutdown. `0xxx x110`
         ///
-        /// Makes the drive ready to switch on, or brings it back to that.
+        /// Sets bits 2 and 1 in Switch on disabled, which withdraws the request for a quick stop; clears bit 0
+        /// in Switched on and Operation enabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const SHUTDOWN: Command = Command {
             name: "shutdown",
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
@@ -3442,9 +3286,9 @@ pub mod double {
 
         /// Switch on. `0xxx 0111`
         ///
-        /// Switches the power stage on.
+        /// Sets bit 0.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.4, Tab. 5.
         pub const SWITCH_ON: Command = Command {
             name: "switch on",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -3455,9 +3299,9 @@ pub mod double {
 
         /// Disable voltage. `0xxx xx0x`
         ///
-        /// Takes the power away.
+        /// One of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const DISABLE_VOLTAGE: Command = Command {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
@@ -3468,10 +3312,10 @@ pub mod double {
 
         /// Quick stop. `0xxx x01x`
         ///
-        /// Stops the drive. With a load that hangs and a brake, always the way to switch off: the load is held
-        /// until the brake is.
+        /// Clears bit 2. The way to switch off an axis with a load that hangs and a brake: the load is held
+        /// until the brake is applied. Also one of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.1, 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const QUICK_STOP: Command = Command {
             name: "quick stop",
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
@@ -3482,9 +3326,9 @@ pub mod double {
 
         /// Disable operation. `0xxx 0111`
         ///
-        /// Takes the torque away; the power unit stays on.
+        /// Clears bit 3. In Switched on, the power unit stays on, without torque or force.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const DISABLE_OPERATION: Command = Command {
             name: "disable operation",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -3495,9 +3339,9 @@ pub mod double {
 
         /// Enable operation. `0xxx 1111`
         ///
-        /// Makes the drive follow its set values.
+        /// Sets bit 3.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, Tab. 5.
         pub const ENABLE_OPERATION: Command = Command {
             name: "enable operation",
             pattern: Pattern { mask: 0x008F, value: 0x000F },
@@ -3508,9 +3352,9 @@ pub mod double {
 
         /// Fault reset. `rxxx xxxx`
         ///
-        /// Leaves the state fault if its cause is gone.
+        /// Acknowledges the fault, once its cause is remedied.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.9, Tab. 5.
         pub const FAULT_RESET: Command = Command {
             name: "fault reset",
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
@@ -3532,109 +3376,140 @@ pub mod double {
     pub enum ModeOfOperation {
         /// Jog.
         ///
-        /// The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with
-        /// acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no
-        /// motion command.
+        /// The vendor's own, not for production, and offered with the controller-based and the drive-based
+        /// modes. The axis is moved by hand, through the jog control panel or by a controller, for
+        /// commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration
+        /// I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.
+        /// With velocity control the drive makes a quick stop at a software limit switch and stops beyond it;
+        /// with position control it stops shortly before.
         ///
         /// Caution:
         ///
-        /// - With velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active: only for axes without such a load.
-        /// - With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.
+        /// - DANGER, risk of fatal injury: with velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active. Only for axes without such a load.
         ///
-        /// Source: 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 21; these are the values that the text names, and
+        /// what the profile has for the mode.
         Jog = -1,
         /// No mode.
-        ///
-        /// As a request, the mode stays what it is; as a display, no mode is active.
         ///
         /// Source: 6.8, Tab. 28.
         NoMode = 0,
         /// Profile position mode.
         ///
-        /// The controller gives a target position; the drive makes the profile, with the velocity override
-        /// A340, and controls position.
+        /// Drive-based. The controller gives a target position; the drive makes the profile out of velocity,
+        /// acceleration, deceleration and jerk, with the velocity override A340, and controls position.
         ///
         /// Source: 6.6.5, Tab. 15, Tab. 16, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 16; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pp = 1,
         /// Velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and
-        /// controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and
+        /// deceleration, with the velocity override A340, and controls velocity.
         ///
         /// The process data carry its target velocity, which the standard mapping does not.
         ///
         /// Source: 6.6.6, Tab. 17, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
+        /// what the profile has for the mode.
         Vl = 2,
         /// Profile velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the profile, with the velocity override A340,
-        /// and controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration,
+        /// deceleration and jerk, with the velocity override A340, and controls velocity.
         ///
         /// Source: 6.6.7, Tab. 22, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 18; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pv = 3,
         /// Profile torque mode.
         ///
-        /// The controller gives a set torque or force; the drive makes the profile and controls torque. Its
-        /// short name in the manual is pt.
+        /// Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to
+        /// the velocity control, as printed, and controls torque. Its short name in the manual is pt.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.8, Tab. 23, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 19; these are the values that the text names, and
+        /// what the profile has for the mode.
         Tq = 4,
         /// Homing mode.
         ///
-        /// The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves.
-        /// On the way, software limit switches and hardware limit switches do not act as such; a hardware
-        /// switch ahead turns the axis round, one behind is a fault.
+        /// Offered with the controller-based and the drive-based modes. The drive finds its reference by
+        /// itself, in the way of A586. Only then can it make absolute moves. On the way, software limit
+        /// switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis
+        /// round, one behind is a fault.
         ///
         /// Caution:
         ///
-        /// - With a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
-        /// - If the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
+        /// - Information: with a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
+        /// - Information: if the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
         ///
-        /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+        /// what the profile has for the mode.
         Hm = 6,
         /// Interpolated position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The process data carry its set position, which the standard mapping does not.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.1, 6.9, 6.10, Tab. 6, Tab. 7, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 12; these are the values that the text names, and
+        /// what the profile has for the mode.
         Ip = 7,
         /// Cyclic synchronous position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.2, 6.9, 6.10, Tab. 12, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 13; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
-        /// The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No
-        /// ramps, no jerk limit.
+        /// Controller-based. The controller sends a set velocity every cycle; the drive interpolates and
+        /// controls velocity. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.3, 6.10, Tab. 13, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 14; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
-        /// The controller sends a set torque or force every cycle; the drive interpolates and controls torque.
-        /// No ramps, no jerk limit, but a velocity limit.
+        /// Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and
+        /// controls torque. No ramps, no jerk limit, but a velocity limit.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.4, Tab. 14, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 15; these are the values that the text names, and
+        /// what the profile has for the mode.
         Cst = 10,
     }
 
@@ -3643,26 +3518,26 @@ pub mod double {
         pub const fn text(self) -> &'static str {
             match self {
                 Self::Jog =>
-                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
-                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                    "The vendor's own, not for production, and offered with the controller-based and the drive-based modes. The axis is moved by hand, through the jog control panel or by a controller, for commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command. With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.",
+                Self::NoMode => "",
                 Self::Pp =>
-                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                    "Drive-based. The controller gives a target position; the drive makes the profile out of velocity, acceleration, deceleration and jerk, with the velocity override A340, and controls position.",
                 Self::Vl =>
-                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and deceleration, with the velocity override A340, and controls velocity.",
                 Self::Pv =>
-                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration, deceleration and jerk, with the velocity override A340, and controls velocity.",
                 Self::Tq =>
-                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                    "Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to the velocity control, as printed, and controls torque. Its short name in the manual is pt.",
                 Self::Hm =>
-                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                    "Offered with the controller-based and the drive-based modes. The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
                 Self::Ip =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csp =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csv =>
-                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
                 Self::Cst =>
-                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+                    "Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
             }
         }
     }
@@ -3745,11 +3620,19 @@ pub mod double {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    ///
+    /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+    /// what the profile has for the mode.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
+    ///
+    /// No motion command is carried out in Fault and Quick stop active. Any motion command but MC\_Stop can
+    /// be overwritten while it runs.
+    ///
+    /// Source: 6.8.
     pub const MACHINE: Machine = Machine {
         states: STATES,
         commands: commands::ALL,
@@ -3853,7 +3736,7 @@ pub mod double {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -3877,7 +3760,7 @@ pub mod double {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -3901,7 +3784,7 @@ pub mod double {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -3934,7 +3817,7 @@ pub mod double {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -3942,7 +3825,7 @@ pub mod double {
         ///
         /// Between the negative limit switch and the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the negative limit switch turns round and goes on to the reference switch.
         /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
         /// 4. There, the actual position becomes A569.
@@ -3975,7 +3858,7 @@ pub mod double {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
@@ -3986,7 +3869,7 @@ pub mod double {
         ///
         /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
-        /// 3. On leaving it, the actual position becomes A569.
+        /// 3. On reaching the reference switch, the actual position becomes A569.
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
@@ -4040,8 +3923,8 @@ pub mod double {
         ///
         /// On the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
-        /// 2. Turns round and goes on with A587\[0\].
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\] until it has left the switch.
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
         /// 4. On reaching it, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -4186,7 +4069,7 @@ pub mod double {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 5,
@@ -4194,7 +4077,7 @@ pub mod double {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "negatively positioned reference switch",
-                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 7,
@@ -4202,7 +4085,7 @@ pub mod double {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 11,
@@ -4210,7 +4093,7 @@ pub mod double {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 17,
@@ -4234,7 +4117,7 @@ pub mod double {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On reaching the reference switch, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 21,
@@ -4250,7 +4133,7 @@ pub mod double {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0] until it has left the switch. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 27,
@@ -4373,6 +4256,20 @@ pub mod double {
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
             pub sm_input_parameter: SmInputParameter,
+            /// `0x60A4` Profile jerk.
+            ///
+            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            pub profile_jerk_a: [u32; 1],
+            /// `0x60C1` Interpolation data record.
+            pub interpolation_data_record_a: InterpolationDataRecordA,
+            /// `0x68A4` Profile jerk.
+            ///
+            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            pub profile_jerk_b: [u32; 1],
+            /// `0x68C1` Interpolation data record.
+            ///
+            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub interpolation_data_record_b: [i32; 1],
             /// What each axis has, in order.
             pub axes: [AxisDictionary; 2],
         }
@@ -4420,6 +4317,10 @@ pub mod double {
                     cycle_time_too_small: 0,
                     sync_error: false,
                 },
+                profile_jerk_a: [0; 1],
+                interpolation_data_record_a: InterpolationDataRecordA { _1st_set_point: 0 },
+                profile_jerk_b: [0; 1],
+                interpolation_data_record_b: [0; 1],
                 axes: [AxisDictionary::DEFAULT; 2],
             };
         }
@@ -4471,9 +4372,9 @@ pub mod double {
             /// - `02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
             pub vl_dimension_factor: [i32; 2],
             /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO.
-            pub quick_stop_option_code: QuickStopOptionCode,
+            pub quick_stop_option_code: i16,
             /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO.
-            pub fault_reaction_option_code: FaultReactionOptionCode,
+            pub fault_reaction_option_code: i16,
             /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8.
             pub modes_of_operation: i8,
             /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
@@ -4501,17 +4402,11 @@ pub mod double {
             /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             pub target_position: i32,
             /// `0x607B` Position range limit.
-            ///
-            /// - `01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            /// - `02` Max position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub position_range_limit: [i32; 2],
+            pub position_range_limit: PositionRangeLimit,
             /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             pub home_offset: i32,
             /// `0x607D` Software position limit.
-            ///
-            /// - `01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            /// - `02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub software_position_limit: [i32; 2],
+            pub software_position_limit: SoftwarePositionLimit,
             /// `0x607E:00` Polarity. UINT8, rw, RxPDO.
             pub polarity: Polarity,
             /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
@@ -4527,30 +4422,17 @@ pub mod double {
             /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO.
             pub torque_slope: u32,
             /// `0x6091` Gear ratio.
-            ///
-            /// - `01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub gear_ratio: [u32; 2],
+            pub gear_ratio: GearRatio,
             /// `0x6092` Feed constant.
-            ///
-            /// - `01` Feed. UINT32, rw, RxPDO and TxPDO, default 0x00100000.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
-            pub feed_constant: [u32; 2],
+            pub feed_constant: FeedConstant,
             /// `0x6098:00` Homing method. INT8, rw.
             pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
-            ///
-            /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            /// - `02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            pub homing_speeds: [u32; 2],
+            pub homing_speeds: HomingSpeeds,
             /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311.
             pub homing_acceleration: u32,
             /// `0x60A3:00` Profile jerk use. UINT8, rw.
             pub profile_jerk_use: u8,
-            /// `0x60A4` Profile jerk.
-            ///
-            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
             pub velocity_offset: i32,
             /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO.
@@ -4568,11 +4450,7 @@ pub mod double {
             /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
             pub touch_probe_2_negative_edge: i32,
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
-            pub interpolation_sub_mode_select: InterpolationSubModeSelect,
-            /// `0x60C1` Interpolation data record.
-            ///
-            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub interpolation_data_record: [i32; 1],
+            pub interpolation_sub_mode_select: i16,
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -4587,32 +4465,9 @@ pub mod double {
             /// - `02` Touch probe 2 source. INT16, rw.
             pub touch_probe_source: [i16; 2],
             /// `0x60E3` Supported homing methods.
-            ///
-            /// - `01` 1st supported homing method. INT8, ro.
-            /// - `02` 2nd supported homing method. INT8, ro.
-            /// - `03` 3rd supported homing method. INT8, ro.
-            /// - `04` 4th supported homing method. INT8, ro.
-            /// - `05` 5th supported homing method. INT8, ro.
-            /// - `06` 6th supported homing method. INT8, ro.
-            /// - `07` 7th supported homing method. INT8, ro.
-            /// - `08` 8th supported homing method. INT8, ro.
-            /// - `09` 9th supported homing method. INT8, ro.
-            /// - `0A` 10th supported homing method. INT8, ro.
-            /// - `0B` 11th supported homing method. INT8, ro.
-            /// - `0C` 12th supported homing method. INT8, ro.
-            /// - `0D` 13th supported homing method. INT8, ro.
-            /// - `0E` 14th supported homing method. INT8, ro.
-            /// - `0F` 15th supported homing method. INT8, ro.
-            /// - `10` 16th supported homing method. INT8, ro.
-            /// - `11` 17th supported homing method. INT8, ro.
-            /// - `12` 18th supported homing method. INT8, ro.
-            /// - `13` 19th supported homing method. INT8, ro.
-            /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [HomingMethod; 20],
+            pub supported_homing_methods: SupportedHomingMethods,
             /// `0x60E4` Additional position actual value / 1st value.
-            ///
-            /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
-            pub additional_position_actual_value: [i32; 1],
+            pub additional_position_actual_value: AdditionalPositionActualValue,
             /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO.
             pub positioning_option_code: PositioningOptionCode,
             /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
@@ -4646,8 +4501,8 @@ pub mod double {
                 vl_velocity_quick_stop: VlVelocityQuickStop { delta_speed: 0, delta_time: 0 },
                 vl_set_point_factor: [0; 2],
                 vl_dimension_factor: [0; 2],
-                quick_stop_option_code: QuickStopOptionCode(0),
-                fault_reaction_option_code: FaultReactionOptionCode(0),
+                quick_stop_option_code: 0,
+                fault_reaction_option_code: 0,
                 modes_of_operation: 8,
                 modes_of_operation_display: 0,
                 position_actual_value: 0,
@@ -4661,9 +4516,15 @@ pub mod double {
                 current_actual_value: 0,
                 dc_link_circuit_voltage: 0,
                 target_position: 0,
-                position_range_limit: [0; 2],
+                position_range_limit: PositionRangeLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 home_offset: 0,
-                software_position_limit: [0; 2],
+                software_position_limit: SoftwarePositionLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 polarity: Polarity(0),
                 max_profile_velocity: 0,
                 profile_velocity: 0,
@@ -4671,13 +4532,15 @@ pub mod double {
                 profile_deceleration: 0,
                 quick_stop_deceleration: 0,
                 torque_slope: 0,
-                gear_ratio: [0; 2],
-                feed_constant: [0x0010_0000, 1],
+                gear_ratio: GearRatio { motor_revolutions: 0, shaft_revolutions: 0 },
+                feed_constant: FeedConstant { feed: 0x0010_0000, shaft_revolutions: 1 },
                 homing_method: HomingMethod(0),
-                homing_speeds: [0; 2],
+                homing_speeds: HomingSpeeds {
+                    speed_during_search_for_switch: 0,
+                    speed_during_search_for_zero: 0,
+                },
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
-                profile_jerk: [0; 1],
                 velocity_offset: 0,
                 torque_offset: 0,
                 touch_probe_function: TouchProbeFunction(0),
@@ -4686,8 +4549,7 @@ pub mod double {
                 touch_probe_1_negative_edge: 0,
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
-                interpolation_sub_mode_select: InterpolationSubModeSelect(0),
-                interpolation_data_record: [0; 1],
+                interpolation_sub_mode_select: 0,
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -4695,16 +4557,39 @@ pub mod double {
                 interpolation_data_configuration: InterpolationDataConfiguration {
                     maximum_buffer_size: 0,
                     actual_buffer_size: 0,
-                    buffer_organisation: BufferOrganisation(0),
+                    buffer_organisation: 0,
                     buffer_position: 0,
                     size_of_data_record: 0,
-                    buffer_clear: BufferClear(0),
+                    buffer_clear: 0,
                 },
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [HomingMethod(0); 20],
-                additional_position_actual_value: [0; 1],
+                supported_homing_methods: SupportedHomingMethods {
+                    _1st_supported_homing_method: HomingMethod(0),
+                    _2nd_supported_homing_method: HomingMethod(0),
+                    _3rd_supported_homing_method: HomingMethod(0),
+                    _4th_supported_homing_method: HomingMethod(0),
+                    _5th_supported_homing_method: HomingMethod(0),
+                    _6th_supported_homing_method: HomingMethod(0),
+                    _7th_supported_homing_method: HomingMethod(0),
+                    _8th_supported_homing_method: HomingMethod(0),
+                    _9th_supported_homing_method: HomingMethod(0),
+                    _10th_supported_homing_method: HomingMethod(0),
+                    _11th_supported_homing_method: HomingMethod(0),
+                    _12th_supported_homing_method: HomingMethod(0),
+                    _13th_supported_homing_method: HomingMethod(0),
+                    _14th_supported_homing_method: HomingMethod(0),
+                    _15th_supported_homing_method: HomingMethod(0),
+                    _16th_supported_homing_method: HomingMethod(0),
+                    _17th_supported_homing_method: HomingMethod(0),
+                    _18th_supported_homing_method: HomingMethod(0),
+                    _19th_supported_homing_method: HomingMethod(0),
+                    _20th_supported_homing_method: HomingMethod(0),
+                },
+                additional_position_actual_value: AdditionalPositionActualValue {
+                    _1st_additional_position_actual_value: 0,
+                },
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
                 digital_inputs: DigitalInputs(0),
@@ -4795,31 +4680,83 @@ pub mod double {
             pub sync_error: bool,
         }
 
+        /// `0x60C1` Interpolation data record.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct InterpolationDataRecordA {
+            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub _1st_set_point: i32,
+        }
+
         /// `0x6048` Vl velocity acceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityAcceleration {
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x6049` Vl velocity deceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityDeceleration {
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x604A` Vl velocity quick stop.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityQuickStop {
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
+        }
+
+        /// `0x607B` Position range limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct PositionRangeLimit {
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub min_position_range_limit: i32,
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x607D` Software position limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SoftwarePositionLimit {
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub min_position_range_limit: i32,
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x6091` Gear ratio.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct GearRatio {
+            /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub motor_revolutions: u32,
+            /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6092` Feed constant.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct FeedConstant {
+            /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO, default 0x00100000.
+            pub feed: u32,
+            /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6099` Homing speeds.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct HomingSpeeds {
+            /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
+            pub speed_during_search_for_switch: u32,
+            /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
+            pub speed_during_search_for_zero: u32,
         }
 
         /// `0x60C2` Interpolation time period.
@@ -4839,19 +4776,72 @@ pub mod double {
             /// `0x60C4:02` Actual buffer size. UINT32, rw.
             pub actual_buffer_size: u32,
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
-            pub buffer_organisation: BufferOrganisation,
+            pub buffer_organisation: u8,
             /// `0x60C4:04` Buffer position. UINT16, rw.
             pub buffer_position: u16,
             /// `0x60C4:05` Size of data record. UINT8, wo.
             pub size_of_data_record: u8,
             /// `0x60C4:06` Buffer clear. UINT8, wo.
-            pub buffer_clear: BufferClear,
+            pub buffer_clear: u8,
+        }
+
+        /// `0x60E3` Supported homing methods.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SupportedHomingMethods {
+            /// `0x60E3:01` 1st supported homing method. INT8, ro.
+            pub _1st_supported_homing_method: HomingMethod,
+            /// `0x60E3:02` 2nd supported homing method. INT8, ro.
+            pub _2nd_supported_homing_method: HomingMethod,
+            /// `0x60E3:03` 3rd supported homing method. INT8, ro.
+            pub _3rd_supported_homing_method: HomingMethod,
+            /// `0x60E3:04` 4th supported homing method. INT8, ro.
+            pub _4th_supported_homing_method: HomingMethod,
+            /// `0x60E3:05` 5th supported homing method. INT8, ro.
+            pub _5th_supported_homing_method: HomingMethod,
+            /// `0x60E3:06` 6th supported homing method. INT8, ro.
+            pub _6th_supported_homing_method: HomingMethod,
+            /// `0x60E3:07` 7th supported homing method. INT8, ro.
+            pub _7th_supported_homing_method: HomingMethod,
+            /// `0x60E3:08` 8th supported homing method. INT8, ro.
+            pub _8th_supported_homing_method: HomingMethod,
+            /// `0x60E3:09` 9th supported homing method. INT8, ro.
+            pub _9th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0A` 10th supported homing method. INT8, ro.
+            pub _10th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0B` 11th supported homing method. INT8, ro.
+            pub _11th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0C` 12th supported homing method. INT8, ro.
+            pub _12th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0D` 13th supported homing method. INT8, ro.
+            pub _13th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0E` 14th supported homing method. INT8, ro.
+            pub _14th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0F` 15th supported homing method. INT8, ro.
+            pub _15th_supported_homing_method: HomingMethod,
+            /// `0x60E3:10` 16th supported homing method. INT8, ro.
+            pub _16th_supported_homing_method: HomingMethod,
+            /// `0x60E3:11` 17th supported homing method. INT8, ro.
+            pub _17th_supported_homing_method: HomingMethod,
+            /// `0x60E3:12` 18th supported homing method. INT8, ro.
+            pub _18th_supported_homing_method: HomingMethod,
+            /// `0x60E3:13` 19th supported homing method. INT8, ro.
+            pub _19th_supported_homing_method: HomingMethod,
+            /// `0x60E3:14` 20th supported homing method. INT8, ro.
+            pub _20th_supported_homing_method: HomingMethod,
+        }
+
+        /// `0x60E4` Additional position actual value / 1st value.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct AdditionalPositionActualValue {
+            /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
+            pub _1st_additional_position_actual_value: i32,
         }
 
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
                 match place.field {
                     0 => Some(sdo::Slot::U32(&mut self.device_type)),
                     1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
@@ -4860,6 +4850,10 @@ pub mod double {
                     4 => self.identity_object.slot(place.item),
                     5 => self.sm_output_parameter.slot(place.item),
                     6 => self.sm_input_parameter.slot(place.item),
+                    7 => self.profile_jerk_a.get_mut(item).map(sdo::Slot::U32),
+                    8 => self.interpolation_data_record_a.slot(place.item),
+                    9 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
+                    10 => self.interpolation_data_record_b.get_mut(item).map(sdo::Slot::I32),
                     _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
                 }
             }
@@ -4869,75 +4863,73 @@ pub mod double {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
-                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    12 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    13 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    14 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    15 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    17 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    18 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    19 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    20 => self.vl_velocity_acceleration.slot(place.item),
+                    21 => self.vl_velocity_deceleration.slot(place.item),
+                    22 => self.vl_velocity_quick_stop.slot(place.item),
+                    23 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    24 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    25 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    26 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    27 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    28 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    29 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    30 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    31 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    32 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    34 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    35 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    36 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    37 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    38 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    39 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    40 => self.position_range_limit.slot(place.item),
+                    41 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    42 => self.software_position_limit.slot(place.item),
+                    43 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    44 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    46 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    48 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    49 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    50 => self.gear_ratio.slot(place.item),
+                    51 => self.feed_constant.slot(place.item),
+                    52 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    53 => self.homing_speeds.slot(place.item),
+                    54 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    55 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    56 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    57 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    59 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    63 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    64 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    65 => self.interpolation_time_period.slot(place.item),
+                    66 => self.interpolation_data_configuration.slot(place.item),
+                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    70 => self.supported_homing_methods.slot(place.item),
+                    71 => self.additional_position_actual_value.slot(place.item),
+                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -4997,6 +4989,15 @@ pub mod double {
             }
         }
 
+        impl InterpolationDataRecordA {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
+                    _ => None,
+                }
+            }
+        }
+
         impl VlVelocityAcceleration {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -5027,6 +5028,56 @@ pub mod double {
             }
         }
 
+        impl PositionRangeLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SoftwarePositionLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl GearRatio {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.motor_revolutions)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl FeedConstant {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.feed)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl HomingSpeeds {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
+                    1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
+                    _ => None,
+                }
+            }
+        }
+
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -5042,10 +5093,47 @@ pub mod double {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
                     1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation)),
                     3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
                     4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SupportedHomingMethods {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I8(&mut self._1st_supported_homing_method.0)),
+                    1 => Some(sdo::Slot::I8(&mut self._2nd_supported_homing_method.0)),
+                    2 => Some(sdo::Slot::I8(&mut self._3rd_supported_homing_method.0)),
+                    3 => Some(sdo::Slot::I8(&mut self._4th_supported_homing_method.0)),
+                    4 => Some(sdo::Slot::I8(&mut self._5th_supported_homing_method.0)),
+                    5 => Some(sdo::Slot::I8(&mut self._6th_supported_homing_method.0)),
+                    6 => Some(sdo::Slot::I8(&mut self._7th_supported_homing_method.0)),
+                    7 => Some(sdo::Slot::I8(&mut self._8th_supported_homing_method.0)),
+                    8 => Some(sdo::Slot::I8(&mut self._9th_supported_homing_method.0)),
+                    9 => Some(sdo::Slot::I8(&mut self._10th_supported_homing_method.0)),
+                    10 => Some(sdo::Slot::I8(&mut self._11th_supported_homing_method.0)),
+                    11 => Some(sdo::Slot::I8(&mut self._12th_supported_homing_method.0)),
+                    12 => Some(sdo::Slot::I8(&mut self._13th_supported_homing_method.0)),
+                    13 => Some(sdo::Slot::I8(&mut self._14th_supported_homing_method.0)),
+                    14 => Some(sdo::Slot::I8(&mut self._15th_supported_homing_method.0)),
+                    15 => Some(sdo::Slot::I8(&mut self._16th_supported_homing_method.0)),
+                    16 => Some(sdo::Slot::I8(&mut self._17th_supported_homing_method.0)),
+                    17 => Some(sdo::Slot::I8(&mut self._18th_supported_homing_method.0)),
+                    18 => Some(sdo::Slot::I8(&mut self._19th_supported_homing_method.0)),
+                    19 => Some(sdo::Slot::I8(&mut self._20th_supported_homing_method.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl AdditionalPositionActualValue {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_additional_position_actual_value)),
                     _ => None,
                 }
             }
@@ -5063,7 +5151,7 @@ pub mod double {
                 Page { axis: 0, ..PAGE_28 },
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_60 },
+                Page { axis: 1, ..PAGE_68 },
                 Page { axis: 1, ..PAGE_65 },
                 Page { axis: 1, ..PAGE_20 },
                 Page { axis: 1, ..PAGE_28 },
@@ -5254,7 +5342,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                7,
+                11,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5269,7 +5357,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                8,
+                12,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5291,35 +5379,35 @@ pub mod double {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    10,
+                    14,
                     &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    12,
+                    16,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    15,
+                    19,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    16,
+                    20,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
@@ -5330,7 +5418,7 @@ pub mod double {
                 object(
                     ObjectCode::Record,
                     0,
-                    17,
+                    21,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
@@ -5341,7 +5429,7 @@ pub mod double {
                 object(
                     ObjectCode::Record,
                     0,
-                    18,
+                    22,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
@@ -5352,118 +5440,90 @@ pub mod double {
                 object(
                     ObjectCode::Array,
                     0,
-                    19,
+                    23,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    20,
+                    24,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    23,
+                    27,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    26,
+                    30,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    31,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    33,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    34,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    35,
+                    39,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
-                    0,
-                    36,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    38,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
                     41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5479,80 +5539,108 @@ pub mod double {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
                     0,
                     46,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
                     0,
                     47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    48,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    49,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    50,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    49,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    53,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    50,
+                    54,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    52,
+                    7,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    53,
+                    56,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    57,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    58,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    62,
+                    8,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    63,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -5563,7 +5651,7 @@ pub mod double {
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    66,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -5578,52 +5666,52 @@ pub mod double {
                 object(
                     ObjectCode::Variable,
                     0,
-                    65,
+                    67,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    66,
+                    68,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    67,
+                    69,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    68,
+                    70,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    69,
+                    71,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    73,
+                    75,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    74,
+                    76,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -5636,13 +5724,368 @@ pub mod double {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+        };
+
+        const SLOTS_68: [u8; 193] = positions(
+            0x3F,
+            &[
+                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
+                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
+                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
+                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
+                0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
+            ],
+        );
+
+        const PAGE_68: Page = Page {
+            first: 0x3F,
+            axis: 0,
+            slots: &SLOTS_68,
+            objects: &[
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    14,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    16,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    19,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    20,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    21,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    22,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    23,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    24,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    27,
+                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    30,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    31,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    33,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    34,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    40,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    41,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    42,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    46,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    48,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    49,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    50,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    53,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    54,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    9,
+                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    166,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    56,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    57,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    58,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    10,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    166,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    65,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    66,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
+                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
+                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
+                    ],
+                    167,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    67,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    68,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    69,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    70,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    168,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    71,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    166,
+                ),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    75,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    166,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    76,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+            ],
         };
 
         /// The name of every object and entry, for a firmware that tells what is in its dictionary.
         pub static NAMES: sdo::Names = sdo::Names {
             pages: &[
-                NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65, NAMES_60,
+                NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65, NAMES_68,
                 NAMES_65, NAMES_20, NAMES_28,
             ],
         };
@@ -5693,9 +6136,9 @@ pub mod double {
             "Error code", "Control word", "Statusword", "vl target velocity", "vl velocity demand",
             "vl velocity actual value", "vl velocity min max amount", "Highest subindex supported",
             "vl velocity min amount", "vl velocity max amount", "vl velocity acceleration",
-            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity deceleration",
-            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity quick stop",
-            "Highest subindex supported", "Delta speed", "Delta time", "vl set-point factor",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity deceleration",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity quick stop",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl set-point factor",
             "Highest subindex supported", "vl set-point factor numerator", "vl set-point factor denominator",
             "vl dimension factor", "Highest subindex supported", "vl dimension factor numerator",
             "vl dimension factor denominator", "Quick stop option code", "Fault reaction option code",
@@ -5703,15 +6146,15 @@ pub mod double {
             "Following error window", "Following error time out", "Velocity actual value", "Target torque",
             "Maximum torque", "Rated torque", "Torque actual value", "Current actual value",
             "DC link circuit voltage", "Target position", "Position range limit",
-            "Highest subindex supported", "Min position range limit", "Max position range limit",
-            "Home offset", "Software position limit", "Highest subindex supported", "Min position limit",
-            "Max position limit", "Polarity", "Max profile velocity", "Profile velocity",
-            "Profile acceleration", "Profile deceleration", "Quick stop deceleration", "Torque slope",
-            "Gear ratio", "Highest subindex supported", "Motor revolutions", "Shaft revolutions",
-            "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions", "Homing method",
-            "Homing speeds", "Highest subindex supported", "Speed during search for switch",
+            "Highest subindex supported", "Min. position range limit", "Max. position range limit",
+            "Home offset", "Software position limit", "Highest subindex supported",
+            "Min. position range limit", "Max. position range limit", "Polarity", "Max profile velocity",
+            "Profile velocity", "Profile acceleration", "Profile deceleration", "Quick stop deceleration",
+            "Torque slope", "Gear ratio", "Highest subindex supported", "Motor revolutions",
+            "Shaft revolutions", "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions",
+            "Homing method", "Homing speeds", "Highest subindex supported", "Speed during search for switch",
             "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
-            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
+            "Highest subindex supported", "Profile jerk, Profile jerk 1", "Velocity offset", "Torque offset",
             "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
             "Touch probe position 1 negative value", "Touch probe position 2 positive value",
             "Touch probe position 2 negative value", "Interpolation sub mode select",
@@ -5736,6 +6179,52 @@ pub mod double {
         ];
 
         const NAMES_65: &[&str] = &["Supported drive modes"];
+
+        const NAMES_68: &[&str] = &[
+            "Error code", "Control word", "Statusword", "vl target velocity", "vl velocity demand",
+            "vl velocity actual value", "vl velocity min max amount", "Highest subindex supported",
+            "vl velocity min amount", "vl velocity max amount", "vl velocity acceleration",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity deceleration",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity quick stop",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl set-point factor",
+            "Highest subindex supported", "vl set-point factor numerator", "vl set-point factor denominator",
+            "vl dimension factor", "Highest subindex supported", "vl dimension factor numerator",
+            "vl dimension factor denominator", "Quick stop option code", "Fault reaction option code",
+            "Modes of operation", "Modes of operation display", "Position actual value",
+            "Following error window", "Following error time out", "Velocity actual value", "Target torque",
+            "Maximum torque", "Rated torque", "Torque actual value", "Current actual value",
+            "DC link circuit voltage", "Target position", "Highest subindex supported",
+            "Highest subindex supported", "Min. position range limit", "Max. position range limit",
+            "Home offset", "Software position limit", "Highest subindex supported",
+            "Min. position range limit", "Max. position range limit", "Polarity", "Max profile velocity",
+            "Profile velocity", "Profile acceleration", "Profile deceleration", "Quick stop deceleration",
+            "Torque slope", "Gear ratio", "Highest subindex supported", "Motor revolutions",
+            "Shaft revolutions", "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions",
+            "Homing method", "Homing speeds", "Highest subindex supported", "Speed during search for switch",
+            "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
+            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
+            "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
+            "Touch probe position 1 negative value", "Touch probe position 2 positive value",
+            "Touch probe position 2 negative value", "Interpolation sub mode select",
+            "Interpolation data record", "Highest subindex supported", "1st set-point",
+            "Interpolation time period", "Highest subindex supported", "Interpolation time period value",
+            "Interpolation time index", "Interpolation data configuration", "Highest subindex supported",
+            "Maximum buffer size", "Actual buffer size", "Buffer organisation", "Buffer position",
+            "Size of data record", "Buffer clear", "Max acceleration", "Max deceleration",
+            "Touch probe source", "Highest subindex supported", "Touch probe 1 source",
+            "Touch probe 2 source", "Supported homing methods", "Highest subindex supported",
+            "1st supported homing method", "2nd supported homing method", "3rd supported homing method",
+            "4th supported homing method", "5th supported homing method", "6th supported homing method",
+            "7th supported homing method", "8th supported homing method", "9th supported homing method",
+            "10th supported homing method", "11th supported homing method", "12th supported homing method",
+            "13th supported homing method", "14th supported homing method", "15th supported homing method",
+            "16th supported homing method", "17th supported homing method", "18th supported homing method",
+            "19th supported homing method", "20th supported homing method",
+            "Additional position actual value / 1st value", "Highest subindex supported",
+            "1st additional position actual value", "Positioning option code",
+            "Following error actual value", "Digital inputs", "Digital outputs",
+            "Highest subindex supported", "Physical outputs", "Target velocity",
+        ];
     }
 }
 
@@ -5746,8 +6235,9 @@ pub mod single {
     //! controller makes the path and modes in which the drive does. It is set up with the software
     //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
     //!
-    //! Each axis has its own state machine, modes and process data. Coordinates with the number of the
-    //! axis, 1.A515 or 2.A515, tell them apart; parameters of the whole device have none.
+    //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
+    //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
+    //! none.
     //!
     //! A source without a document is a place in the first of these, 1005347-en-US-02:
     //!
@@ -5786,8 +6276,6 @@ pub mod single {
     ///
     /// Models: PMC SC6, PMC SI6.
     ///
-    /// Source: 5.3.2, 5.1.1.1.
-    ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
     /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
     ///
@@ -5809,14 +6297,14 @@ pub mod single {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: no source lists it; a servo drive after CiA 402.
         pub const DEVICE_TYPE: Entry<Single, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1008:00` Manufacturer device name. STRING(80), ro.
         ///
         /// The name of the device.
         ///
@@ -5824,7 +6312,7 @@ pub mod single {
         /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<Single, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro.
         ///
         /// The version of the hardware.
         ///
@@ -5832,7 +6320,7 @@ pub mod single {
         /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<Single, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x100A:00` Manufacturer software version. STRING(80), ro.
         ///
         /// The version of the firmware.
         ///
@@ -5843,8 +6331,6 @@ pub mod single {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod identity_object {
             use super::*;
 
@@ -5976,8 +6462,6 @@ pub mod single {
         }
 
         /// `0x1C12` Sync manager 2 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
@@ -5989,8 +6473,6 @@ pub mod single {
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
@@ -6004,8 +6486,6 @@ pub mod single {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -6084,8 +6564,6 @@ pub mod single {
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -6165,11 +6643,15 @@ pub mod single {
         /// Sixteen bits, each with the source that A66 gives it.
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const STATUS_WORD_USER_DEFINED: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x2043, 0);
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const STATUS_WORD_2: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x28C9, 0);
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -6177,19 +6659,22 @@ pub mod single {
         /// The code of the last error that occurred in the drive.
         pub const ERROR_CODE: Entry<Single, u16, ReadOnly, Tx> = Entry::new(0x603F, 0);
 
-        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (6.5.2.1, 6.6, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Bits 0 to 3 and 7 make the commands of the device state machine; bits 4 to 6 belong to the mode.
         pub const CONTROLWORD: Entry<Single, Controlword, ReadWrite, RxTx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6041:00` Statusword. WORD, ro, TxPDO (6.5, 6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Its bits show the state of the drive, and bits 10, 12 and 13 what the mode has come to.
         pub const STATUSWORD: Entry<Single, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (6.6.6, Tab. 17 to 19, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in velocity mode, before limits and ramps.
+        /// The set velocity of velocity mode, as bits 4 to 6 of the control word let it through.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const VL_TARGET_VELOCITY: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x6042, 0);
 
         /// `0x6043:00` Vl velocity demand. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -6197,9 +6682,11 @@ pub mod single {
         /// The velocity that the ramps of velocity mode have arrived at; what the controller is given.
         pub const VL_VELOCITY_DEMAND: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6043, 0);
 
-        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (Tab. 20, Tab. 21, Tab. 34, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const VL_VELOCITY_ACTUAL_VALUE: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6044, 0);
 
         /// `0x6046` Vl velocity min max amount.
@@ -6231,10 +6718,10 @@ pub mod single {
             /// `0x6048:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6048, 0);
 
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6048, 1);
 
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6048, 2);
         }
 
@@ -6249,10 +6736,10 @@ pub mod single {
             /// `0x6049:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x6049, 0);
 
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6049, 1);
 
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6049, 2);
         }
 
@@ -6267,10 +6754,10 @@ pub mod single {
             /// `0x604A:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x604A, 0);
 
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x604A, 1);
 
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x604A, 2);
         }
 
@@ -6314,40 +6801,41 @@ pub mod single {
                 Entry::new(0x604C, 2);
         }
 
-        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (6.5.2.7, Tab. 34, Tab. 35).
         ///
-        /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const QUICK_STOP_OPTION_CODE: Entry<Single, QuickStopOptionCode, ReadWrite, Rx> =
-            Entry::new(0x605A, 0);
+        /// Its values are not given. After a quick stop, the drive always goes to Switch on disabled.
+        pub const QUICK_STOP_OPTION_CODE: Entry<Single, i16, ReadWrite, Rx> = Entry::new(0x605A, 0);
 
-        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (6.5.2.8, Tab. 34, Tab. 35).
         ///
-        /// What the drive does when a fault is found.
-        pub const FAULT_REACTION_OPTION_CODE: Entry<Single, FaultReactionOptionCode, ReadWrite, Rx> =
-            Entry::new(0x605E, 0);
+        /// Its values are not given. The reaction depends on the fault.
+        pub const FAULT_REACTION_OPTION_CODE: Entry<Single, i16, ReadWrite, Rx> = Entry::new(0x605E, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
+        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, 6.6, Tab. 30, Tab. 31,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is asked for; 0x6061 tells when it is active.
+        /// Selects the mode of operation by its number; 0x6061 shows the one that is active.
         pub const MODES_OF_OPERATION: Entry<Single, i8, ReadWrite, RxTx> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is active.
+        /// The number of the mode of operation that is active.
         pub const MODES_OF_OPERATION_DISPLAY: Entry<Single, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
-        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.4.3.1, Tab. 32, Tab.
+        /// 33, Tab. 34, Tab. 35).
         ///
-        /// The measured position, in position units.
+        /// The actual position. If the controller keeps the reference (I46 = 5), it is the absolute position of
+        /// the motor encoder.
         pub const POSITION_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x6064, 0).measured_in(units::POSITION);
 
-        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab.
-        /// 34; 7.2.2, Tab. 35).
+        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (5.1.4.2.4,
+        /// Tab. 34, Tab. 35).
         ///
-        /// How far the actual position may be from the demanded one, to either side, before a following error
-        /// is counted; the largest value switches the supervision off.
+        /// The tolerance of the check for lag.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const FOLLOWING_ERROR_WINDOW: Entry<Single, u32, ReadWrite, RxTx, Angle> =
             Entry::new(0x6065, 0).measured_in(units::POSITION);
 
@@ -6357,13 +6845,13 @@ pub mod single {
         /// error is reported.
         pub const FOLLOWING_ERROR_TIME_OUT: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6066, 0);
 
-        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2, Tab.
-        /// 35).
+        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in inc/s / 10^A310 (6.7, Tab. 32, Tab. 33, Tab.
+        /// 34, Tab. 35).
         ///
-        /// The measured velocity, in velocity units.
+        /// The actual velocity. Below C40 the axis stands (I199 = 1).
         pub const VELOCITY_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
         pub const TARGET_TORQUE: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x6071, 0);
@@ -6379,7 +6867,7 @@ pub mod single {
         /// to it.
         pub const MOTOR_RATED_TORQUE: Entry<Single, u32, ReadWrite, Tx> = Entry::new(0x6076, 0);
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
         pub const TORQUE_ACTUAL_VALUE: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
@@ -6394,33 +6882,32 @@ pub mod single {
         /// The voltage of the DC link, in millivolts.
         pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<Single, u32, ReadOnly, Tx> = Entry::new(0x6079, 0);
 
-        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (6.6.2, 6.6.5, Tab.
+        /// 15, Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The position to move to: the end of a move in profile position mode, the next point of the path in
-        /// cyclic synchronous position mode.
+        /// The set position: where a move of profile position mode ends, absolute or as a distance, or the next
+        /// position of cyclic synchronous position mode.
         pub const TARGET_POSITION: Entry<Single, i32, ReadWrite, RxTx, Angle> =
             Entry::new(0x607A, 0).measured_in(units::POSITION);
 
         /// `0x607B` Position range limit.
         ///
-        /// The range of position values; at one end the count goes on from the other, as a rotary axis needs
-        /// it.
+        /// Its second value is the length of a revolution of an endless axis; the first does nothing.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
             /// `0x607B:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x607B, 0);
 
-            /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// There for compatibility only, it does nothing.
             pub const MIN_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
                 Entry::new(0x607B, 1).measured_in(units::POSITION);
 
-            /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
@@ -6428,41 +6915,42 @@ pub mod single {
                 Entry::new(0x607B, 2).measured_in(units::POSITION);
         }
 
-        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34; 7.2.2,
+        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (6.4.1.1, 6.4.2, Tab. 34,
         /// Tab. 35).
         ///
-        /// The distance from the home position found by homing to the zero of the position values.
+        /// The reference position, as the chapters on referencing call it: at the event that the homing method
+        /// waits for, it takes the place of the actual position I80.
         pub const HOME_OFFSET: Entry<Single, i32, ReadWrite, RxTx, Angle> =
             Entry::new(0x607C, 0).measured_in(units::POSITION);
 
         /// `0x607D` Software position limit.
         ///
-        /// The least and the greatest position that may be demanded or reached.
+        /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
         ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34.
+        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
             /// `0x607D:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x607D, 0);
 
-            /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const MIN_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub const MIN_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
                 Entry::new(0x607D, 1).measured_in(units::POSITION);
 
-            /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const MAX_POSITION_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub const MAX_POSITION_RANGE_LIMIT: Entry<Single, i32, ReadWrite, RxTx, Angle> =
                 Entry::new(0x607D, 2).measured_in(units::POSITION);
         }
 
-        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, Tab. 34).
+        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
-        /// Which set values and actual values are multiplied by -1.
+        /// The direction of the axis against that of the motor.
         ///
-        /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
+        /// Only bit 7 has a function.
         pub const POLARITY: Entry<Single, Polarity, ReadWrite, Rx> = Entry::new(0x607E, 0);
 
         /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34;
@@ -6502,11 +6990,9 @@ pub mod single {
 
         /// `0x6091` Gear ratio.
         ///
-        /// Revolutions of the motor for revolutions of the shaft behind the gear.
+        /// The gear ratio: revolutions of the motor for revolutions of the shaft. Set for HiRes Motion only.
         ///
-        /// Set for HiRes Motion only.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod gear_ratio {
             use super::*;
 
@@ -6522,12 +7008,10 @@ pub mod single {
 
         /// `0x6092` Feed constant.
         ///
-        /// The way that the load goes, in position units, for revolutions of the shaft behind the gear.
+        /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
+        /// controller scales; set to the feed of the axis with HiRes Motion.
         ///
-        /// Stays at its preset with CiA 402, where the controller scales; set to the feed of the axis with
-        /// HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
@@ -6541,16 +7025,17 @@ pub mod single {
             pub const SHAFT_REVOLUTIONS: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6092, 2);
         }
 
-        /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6098:00` Homing method. INT8, rw (6.4.1, Tab. 34, Tab. 35).
         ///
-        /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
+        /// How the axis is referenced, by the number of the method.
         pub const HOMING_METHOD: Entry<Single, HomingMethod, ReadWrite> = Entry::new(0x6098, 0);
 
         /// `0x6099` Homing speeds.
         ///
-        /// How fast the drive moves while it looks for the home position.
+        /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
+        /// method says.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
@@ -6566,10 +7051,10 @@ pub mod single {
                 Entry::new(0x6099, 2);
         }
 
-        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (6.4.1.1, Tab. 34,
+        /// Tab. 35).
         ///
-        /// How the drive gets faster and slower while it looks for the home position.
+        /// Acceleration and deceleration of referencing.
         pub const HOMING_ACCELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x609A, 0);
 
         /// `0x60A3:00` Profile jerk use. UINT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -6588,76 +7073,72 @@ pub mod single {
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
-            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub const PROFILE_JERK_1: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x60A4, 1);
+            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<Single, u32, ReadWrite, RxTx> =
+                Entry::new(0x60A4, 1);
         }
 
-        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (6.9.4.1, Tab. 30, Tab.
+        /// 31, Tab. 34, Tab. 35).
         ///
-        /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
-        /// cyclic synchronous position mode.
+        /// With an external feedforward, the set velocity that the controller sends beside the set position.
         pub const VELOCITY_OFFSET: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x60B1, 0);
 
-        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
         pub const TORQUE_OFFSET: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x60B2, 0);
 
-        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Switches the touch probes on and says which edges of which signal they look for.
+        /// Switches the two position measurements on and says which edges they look for.
         pub const TOUCH_PROBE_FUNCTION: Entry<Single, TouchProbeFunction, ReadWrite, RxTx> =
             Entry::new(0x60B8, 0);
 
-        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Which touch probes are on, and which edges they have seen.
+        /// Which position measurements are on, and which edges they have met.
         pub const TOUCH_PROBE_STATUS: Entry<Single, TouchProbeStatus, ReadOnly, Tx> = Entry::new(0x60B9, 0);
 
-        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 1 has seen.
+        /// The position at the rising edge of signal 1. It stays when the measurement is switched off.
         pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x60BA, 0).measured_in(units::POSITION);
 
-        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 1 has seen.
+        /// The position at the falling edge of signal 1. It stays when the measurement is switched off.
         pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x60BB, 0).measured_in(units::POSITION);
 
-        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 2 has seen.
+        /// The position at the rising edge of signal 2; measurement 2 works as 1 does.
         pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x60BC, 0).measured_in(units::POSITION);
 
-        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 2 has seen.
+        /// The position at the falling edge of signal 2; measurement 2 works as 1 does.
         pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<Single, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x60BD, 0).measured_in(units::POSITION);
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<Single, InterpolationSubModeSelect, ReadWrite, Rx> =
-            Entry::new(0x60C0, 0);
+        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<Single, i16, ReadWrite, Rx> = Entry::new(0x60C0, 0);
 
         /// `0x60C1` Interpolation data record.
         ///
-        /// The set-points between which interpolated position mode interpolates; what each of them holds
-        /// depends on the way of interpolating.
+        /// The set position of interpolated position mode: one value, not a set of them.
         ///
-        /// One set value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 34.
+        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
         pub mod interpolation_data_record {
             use super::*;
 
@@ -6671,12 +7152,9 @@ pub mod single {
 
         /// `0x60C2` Interpolation time period.
         ///
-        /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
-        /// 10^index seconds.
+        /// The interval between set values. It goes to A291, which must be A150 or a multiple of it.
         ///
-        /// Goes to A291, which must be A150 or a multiple of it.
-        ///
-        /// Source: 6.10, Tab. 34.
+        /// Source: 6.10, Tab. 34, Tab. 35.
         pub mod interpolation_time_period {
             use super::*;
 
@@ -6722,8 +7200,7 @@ pub mod single {
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
             ///
             /// There for compatibility only, it does nothing.
-            pub const BUFFER_ORGANISATION: Entry<Single, BufferOrganisation, ReadWrite> =
-                Entry::new(0x60C4, 3);
+            pub const BUFFER_ORGANISATION: Entry<Single, u8, ReadWrite> = Entry::new(0x60C4, 3);
 
             /// `0x60C4:04` Buffer position. UINT16, rw.
             ///
@@ -6742,7 +7219,7 @@ pub mod single {
             /// `0x60C4:06` Buffer clear. UINT8, wo.
             ///
             /// There for compatibility only, it does nothing.
-            pub const BUFFER_CLEAR: Entry<Single, BufferClear, WriteOnly> = Entry::new(0x60C4, 6);
+            pub const BUFFER_CLEAR: Entry<Single, u8, WriteOnly> = Entry::new(0x60C4, 6);
         }
 
         /// `0x60C5:00` Max acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
@@ -6759,9 +7236,10 @@ pub mod single {
 
         /// `0x60D0` Touch probe source.
         ///
-        /// The signal that triggers a touch probe if 0x60B8 leaves the choice to this object.
+        /// The sources of the signals 1 and 2, such as digital input DI1. Their values stand in a place that
+        /// the manual does not contain.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.11, Tab. 34, Tab. 35.
         pub mod touch_probe_source {
             use super::*;
 
@@ -6871,7 +7349,7 @@ pub mod single {
         ///
         /// The positions measured by further encoders, in position units.
         ///
-        /// Source: Tab. 32, Tab. 34.
+        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
@@ -6883,21 +7361,22 @@ pub mod single {
                 Entry::new(0x60E4, 1).measured_in(units::POSITION);
         }
 
-        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (Tab. 15, Tab. 34, Tab. 35).
         ///
-        /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
-        /// turns.
+        /// What a distance of profile position mode is counted from.
         pub const POSITIONING_OPTION_CODE: Entry<Single, PositioningOptionCode, ReadWrite, Rx> =
             Entry::new(0x60F2, 0);
 
-        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072 (Tab. 32, Tab. 33,
+        /// Tab. 34, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx, Angle> =
             Entry::new(0x60F4, 0).measured_in(units::POSITION);
 
-        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
@@ -6924,8 +7403,8 @@ pub mod single {
             pub const PHYSICAL_OUTPUTS: Entry<Single, PhysicalOutputs, ReadWrite, Rx> = Entry::new(0x60FE, 1);
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (Tab. 30, Tab. 31, Tab.
+        /// 34, Tab. 35).
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
@@ -6945,12 +7424,14 @@ pub mod single {
     /// Bits 0 to 3 and 7 together make a command, bits 4 to 6 belong to the mode. Of bits 8 to 15 the
     /// manual says nothing.
     ///
-    /// Source: 6.5.2.1, 6.6.
+    /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.9, 6.6, Tab. 5.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
         /// Bit 0: switch on.
+        ///
+        /// Set to switch on; cleared to shut down.
         pub const fn switch_on(self) -> bool {
             self.0 & 1 << 0 != 0
         }
@@ -6962,6 +7443,8 @@ pub mod single {
         }
 
         /// Bit 1: enable voltage.
+        ///
+        /// Set to shut down from Switch on disabled; 0 disables the voltage.
         pub const fn enable_voltage(self) -> bool {
             self.0 & 1 << 1 != 0
         }
@@ -6974,7 +7457,7 @@ pub mod single {
 
         /// Bit 2: quick stop.
         ///
-        /// Asks for a quick stop while it is 0.
+        /// 0 asks for a quick stop; set, the request is withdrawn.
         pub const fn quick_stop(self) -> bool {
             self.0 & 1 << 2 != 0
         }
@@ -6986,6 +7469,8 @@ pub mod single {
         }
 
         /// Bit 3: enable operation.
+        ///
+        /// Set to enable operation; cleared to disable it.
         pub const fn enable_operation(self) -> bool {
             self.0 & 1 << 3 != 0
         }
@@ -6998,7 +7483,7 @@ pub mod single {
 
         /// Bit 7: fault reset.
         ///
-        /// On the rising edge: Leaves the state fault if its cause is gone.
+        /// On the rising edge: Acknowledges a fault whose cause is remedied.
         pub const fn fault_reset(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -7011,7 +7496,7 @@ pub mod single {
 
         /// Bit 4 in mode -1 (jog): jog positive.
         ///
-        /// Moves in the positive direction; with bit 5 the drive stops.
+        /// Moves in the positive direction; going to 0, or with bit 5, the axis brakes to a standstill.
         pub const fn jog_jog_positive(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -7024,7 +7509,7 @@ pub mod single {
 
         /// Bit 5 in mode -1 (jog): jog negative.
         ///
-        /// Moves in the negative direction; with bit 4 the drive stops.
+        /// Moves in the negative direction; going to 0, or with bit 4, the axis brakes to a standstill.
         pub const fn jog_jog_negative(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -7146,7 +7631,8 @@ pub mod single {
 
     /// `0x6041` Statusword.
     ///
-    /// Shows the state of the device, which E48 shows, too.
+    /// Shows the state of the drive, which E48 shows, too. Bits 10, 12 and 13 take their signals from A925
+    /// to A928.
     ///
     /// Source: 6.5, 6.5.2, 6.6.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -7262,7 +7748,8 @@ pub mod single {
 
         /// Bit 10 in mode 4 (tq): target reached.
         ///
-        /// The set torque or force is reached, by the torque window. From the source A925.
+        /// The set torque or force is reached: it differs from the actual one by more than the torque window,
+        /// as printed. From the source A925.
         pub const fn tq_target_reached(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -7330,14 +7817,20 @@ pub mod single {
 
     /// `0x607E` Polarity.
     ///
-    /// Source: Tab. 34.
+    /// Source: 5.1.4.2.2, Tab. 34.
+    ///
+    /// Assumed, bits.6: the manual gives bit 7 only, without a name; its name, and that of bit 6, are the
+    /// profile's.
+    ///
+    /// Assumed, bits.7.about: the manual gives bit 7 only, without a name; its name, and that of bit 6, are
+    /// the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Polarity(pub u8);
 
     impl Polarity {
         /// Bit 7: position polarity.
         ///
-        /// Positions are multiplied by -1.
+        /// Turns the direction of the axis against that of the motor.
         pub const fn position_polarity(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -7358,17 +7851,29 @@ pub mod single {
     ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.4: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.5: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.12: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.13: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -7415,6 +7920,8 @@ pub mod single {
         }
 
         /// Bit 4: touch probe 1 positive edge.
+        ///
+        /// The rising edge of the signal is measured; its position goes to 0x60BA.
         pub const fn touch_probe_1_positive_edge(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -7426,6 +7933,8 @@ pub mod single {
         }
 
         /// Bit 5: touch probe 1 negative edge.
+        ///
+        /// The falling edge of the signal is measured; its position goes to 0x60BB.
         pub const fn touch_probe_1_negative_edge(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -7489,6 +7998,8 @@ pub mod single {
         }
 
         /// Bit 12: touch probe 2 positive edge.
+        ///
+        /// As bit 4, with 0x60BC.
         pub const fn touch_probe_2_positive_edge(self) -> bool {
             self.0 & 1 << 12 != 0
         }
@@ -7500,6 +8011,8 @@ pub mod single {
         }
 
         /// Bit 13: touch probe 2 negative edge.
+        ///
+        /// As bit 5, with 0x60BD.
         pub const fn touch_probe_2_negative_edge(self) -> bool {
             self.0 & 1 << 13 != 0
         }
@@ -7526,13 +8039,27 @@ pub mod single {
 
     /// `0x60B9` Touch probe status.
     ///
+    /// All bits of a measurement are cleared when it is switched off.
+    ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.0: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.2: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.10: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -7564,16 +8091,22 @@ pub mod single {
         }
 
         /// Bit 8: touch probe 2 enabled.
+        ///
+        /// Answers bit 8 of 0x60B8.
         pub const fn touch_probe_2_enabled(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
         /// Bit 9: touch probe 2 positive edge stored.
+        ///
+        /// As bit 1.
         pub const fn touch_probe_2_positive_edge_stored(self) -> bool {
             self.0 & 1 << 9 != 0
         }
 
         /// Bit 10: touch probe 2 negative edge stored.
+        ///
+        /// As bit 2.
         pub const fn touch_probe_2_negative_edge_stored(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -7588,9 +8121,16 @@ pub mod single {
 
     /// `0x60F2` Positioning option code.
     ///
+    /// With bit 6 of the control word at 1, bits 0 and 1 choose between the motion commands
+    /// MC\_MoveAdditive (00) and MC\_MoveRelative (10).
+    ///
     /// Source: Tab. 15, Tab. 28.
     ///
-    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
+    /// Assumed, bits.0..=1.about: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -7686,8 +8226,6 @@ pub mod single {
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
-    ///
-    /// Source: Tab. 34.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct DigitalInputs(pub u32);
 
@@ -7721,8 +8259,6 @@ pub mod single {
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
-    ///
-    /// Source: Tab. 30.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PhysicalOutputs(pub u32);
 
@@ -7756,9 +8292,7 @@ pub mod single {
 
     /// `0x6502` Supported drive modes.
     ///
-    /// Source: Tab. 34.
-    ///
-    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
+    /// Assumed, bits.3.about: the manual gives no bit of it; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -7946,229 +8480,6 @@ pub mod single {
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
-    /// `0x605A:00` Quick stop option code.
-    ///
-    /// How the drive stops on the command quick stop, and where it goes from there.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct QuickStopOptionCode(pub i16);
-
-    impl QuickStopOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to switch on disabled.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to switch on disabled.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to switch on disabled.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to switch on disabled.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// Slow down ramp, stay.
-        ///
-        /// Slows down on the slow down ramp, then stays in quick stop active.
-        pub const SLOW_DOWN_RAMP_STAY: Self = Self(5);
-
-        /// Quick stop ramp, stay.
-        ///
-        /// Slows down on the quick stop ramp, then stays in quick stop active.
-        pub const QUICK_STOP_RAMP_STAY: Self = Self(6);
-
-        /// Current limit, stay.
-        ///
-        /// Slows down as hard as the current limit allows, then stays in quick stop active.
-        pub const CURRENT_LIMIT_STAY: Self = Self(7);
-
-        /// Voltage limit, stay.
-        ///
-        /// Slows down as hard as the voltage limit allows, then stays in quick stop active.
-        pub const VOLTAGE_LIMIT_STAY: Self = Self(8);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                5 => Some("slow down ramp, stay"),
-                6 => Some("quick stop ramp, stay"),
-                7 => Some("current limit, stay"),
-                8 => Some("voltage limit, stay"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
-                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
-                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
-                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
-                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
-                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
-                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(QuickStopOptionCode, "{}");
-
-    ::devc_runtime::value!(QuickStopOptionCode as i16);
-
-    /// `0x605E:00` Fault reaction option code.
-    ///
-    /// What the drive does when a fault is found.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct FaultReactionOptionCode(pub i16);
-
-    impl FaultReactionOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to fault.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to fault.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to fault.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to fault.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to fault.",
-                2 => "Slows down on the quick stop ramp, then goes to fault.",
-                3 => "Slows down as hard as the current limit allows, then goes to fault.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
-
-    ::devc_runtime::value!(FaultReactionOptionCode as i16);
-
-    /// `0x60C0:00` Interpolation sub mode select.
-    ///
-    /// The way of interpolating; negative values are the manufacturer's.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct InterpolationSubModeSelect(pub i16);
-
-    impl InterpolationSubModeSelect {
-        /// Linear interpolation.
-        pub const LINEAR_INTERPOLATION: Self = Self(0);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("linear interpolation"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
-
-    ::devc_runtime::value!(InterpolationSubModeSelect as i16);
-
-    /// `0x60C4:03` Buffer organisation.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferOrganisation(pub u8);
-
-    impl BufferOrganisation {
-        /// FIFO buffer.
-        pub const FIFO_BUFFER: Self = Self(0);
-
-        /// Ring buffer.
-        pub const RING_BUFFER: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("FIFO buffer"),
-                1 => Some("ring buffer"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferOrganisation, "{}");
-
-    ::devc_runtime::value!(BufferOrganisation as u8);
-
-    /// `0x60C4:06` Buffer clear.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferClear(pub u8);
-
-    impl BufferClear {
-        /// Clear the buffer and refuse records.
-        pub const CLEAR_THE_BUFFER_AND_REFUSE_RECORDS: Self = Self(0);
-
-        /// Accept records.
-        pub const ACCEPT_RECORDS: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("clear the buffer and refuse records"),
-                1 => Some("accept records"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferClear, "{}");
-
-    ::devc_runtime::value!(BufferClear as u8);
-
     /// An error code of Pilz's own system.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub struct VendorCode(pub u32);
@@ -8183,9 +8494,10 @@ pub mod single {
 
         /// Limit switch.
         ///
-        /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
-        /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
-        /// its edge, a software switch once the actual position is beyond it by more than I22.
+        /// A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the
+        /// axis can move only away from the switch: I196 shows the direction that is locked, and the fault
+        /// cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch
+        /// with the window I22, by the condition of its cause.
         ///
         /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
@@ -8212,7 +8524,7 @@ pub mod single {
             match self.0 {
                 52 => "Named only to show what an event looks like on the display.",
                 53 =>
-                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                    "A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the axis can move only away from the switch: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch with the window I22, by the condition of its cause.",
                 78 => "Set values stayed away; the drive goes to Fault.",
                 _ => "",
             }
@@ -8473,8 +8785,6 @@ pub mod single {
 
     /// The outputs of the master with the PDOs assigned by default, 23 bytes.
     ///
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -8532,8 +8842,6 @@ pub mod single {
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
     ///
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -8589,8 +8897,6 @@ pub mod single {
         const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -8609,8 +8915,6 @@ pub mod single {
         };
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -8666,39 +8970,36 @@ pub mod single {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
-    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
-    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    /// *Not ready to switch on* `x0xx 0000`: The drive starts up, tests itself and loads its parameters.
+    /// Power unit, drive function and activation function are locked. The brakes stay applied. (6.5.2.2)
     ///
-    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
-    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// *Switch on disabled* `x1xx 0000`: Start and self-test have ended well. E47 and E49 tell which of the
+    /// causes it is. Power unit, drive function and activation function are locked. The brakes are applied
     /// unless the release override is active. (6.5.2.3)
     ///
-    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
-    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
-    /// applied unless the release override is active. (6.5.2.4)
+    /// *Ready to switch on* `x01x 0001`: The drive waits for the command Switch on. Power unit and drive
+    /// function are locked; the activation function is enabled. The brakes are applied unless the release
+    /// override is active. (6.5.2.4)
     ///
-    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
-    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
-    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    /// *Switched on* `x01x 0011`: The power unit is on, without torque or force. The power unit is on. The
+    /// drive function is locked; set values are not processed. There is no torque or force. The brakes stay
+    /// applied unless the release override is active. (6.5.2.5)
     ///
-    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
-    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
-    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
-    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    /// *Operation enabled* `x01x 0111`: The drive follows its set values. The power unit is on. The drive
+    /// function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first
+    /// motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the
+    /// brakes. (6.5.2.6)
     ///
-    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
-    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
-    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    /// *Quick stop active* `x00x 0111`: The drive makes a quick stop. The power unit is on and the drive
+    /// function is enabled. The brakes are released, or stay so. No motion command is carried out.
+    /// (6.5.2.7, 6.8)
     ///
-    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
-    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
-    /// applied depends on the reaction. (6.5.2.8)
+    /// *Fault reaction active* `x0xx 1111`: The drive has found a fault and reacts as that fault asks.
+    /// Whether the brakes are applied depends on the reaction. (6.5.2.8)
     ///
-    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
-    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
-    /// activation function are locked. The brakes are applied unless the release override is active. No
-    /// motion command is carried out. (6.5.2.9, 6.8)
+    /// *Fault* `x0xx 1000`: The drive has found a fault, and the reaction is over. Power unit, drive
+    /// function and activation function are locked. The brakes are applied unless the release override is
+    /// active. No motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -8714,52 +9015,56 @@ pub mod single {
     pub const fn state_text(state: State) -> &'static str {
         match state {
             State::NotReadyToSwitchOn =>
-                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+                "The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
             State::SwitchOnDisabled =>
-                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+                "Start and self-test have ended well. E47 and E49 tell which of the causes it is. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
             State::ReadyToSwitchOn =>
-                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+                "The drive waits for the command Switch on. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
             State::SwitchedOn =>
-                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+                "The power unit is on, without torque or force. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
             State::OperationEnabled =>
-                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+                "The drive follows its set values. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
             State::QuickStopActive =>
-                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+                "The drive makes a quick stop. The power unit is on and the drive function is enabled. The brakes are released, or stay so. No motion command is carried out.",
             State::FaultReactionActive =>
-                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+                "The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
             State::Fault =>
-                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+                "The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
         }
     }
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    /// *0*: The drive gets its supply, or is restarted.
     ///
-    /// *1*: The drive has started; communication is possible.
+    /// *1*: The drive does this by itself.
     ///
-    /// *3*: The power stage gets its supply.
+    /// *2*: The activation function is enabled.
     ///
-    /// *4*: The drive function starts; set values from before are cleared.
+    /// *3*: The power unit is switched on.
     ///
-    /// *5*: The drive function ends.
+    /// *4*: The drive function is enabled; set values are processed from now on.
     ///
-    /// *6*: The supply of the power stage may be switched off.
+    /// *5*: The drive function is locked; the power unit stays on.
     ///
-    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    /// *6*: The power unit is locked.
     ///
-    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    /// *7*: The activation function is locked.
     ///
-    /// *10*: The supply of the power stage may be switched off.
+    /// *8*: Drive function and power unit are locked.
+    ///
+    /// *9*: Drive function, power unit and activation function are locked.
+    ///
+    /// *10*: Power unit and activation function are locked.
     ///
     /// *11*: The quick stop begins.
     ///
-    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    /// *12*: The quick stop is over, or cut short: drive function, power unit and activation function are
+    /// locked.
     ///
-    /// *13*: The fault reaction begins.
+    /// *13*: The reaction to the fault begins.
     ///
-    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
-    /// switched off.
+    /// *14*: The reaction is over; power unit, drive function and activation function are locked.
     ///
     /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
@@ -8805,9 +9110,10 @@ pub mod single {
 
         /// Shutdown. `0xxx x110`
         ///
-        /// Makes the drive ready to switch on, or brings it back to that.
+        /// Sets bits 2 and 1 in Switch on disabled, which withdraws the request for a quick stop; clears bit 0
+        /// in Switched on and Operation enabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const SHUTDOWN: Command = Command {
             name: "shutdown",
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
@@ -8818,9 +9124,9 @@ pub mod single {
 
         /// Switch on. `0xxx 0111`
         ///
-        /// Switches the power stage on.
+        /// Sets bit 0.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.4, Tab. 5.
         pub const SWITCH_ON: Command = Command {
             name: "switch on",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -8831,9 +9137,9 @@ pub mod single {
 
         /// Disable voltage. `0xxx xx0x`
         ///
-        /// Takes the power away.
+        /// One of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const DISABLE_VOLTAGE: Command = Command {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
@@ -8844,10 +9150,10 @@ pub mod single {
 
         /// Quick stop. `0xxx x01x`
         ///
-        /// Stops the drive. With a load that hangs and a brake, always the way to switch off: the load is held
-        /// until the brake is.
+        /// Clears bit 2. The way to switch off an axis with a load that hangs and a brake: the load is held
+        /// until the brake is applied. Also one of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.1, 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const QUICK_STOP: Command = Command {
             name: "quick stop",
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
@@ -8858,9 +9164,9 @@ pub mod single {
 
         /// Disable operation. `0xxx 0111`
         ///
-        /// Takes the torque away; the power unit stays on.
+        /// Clears bit 3. In Switched on, the power unit stays on, without torque or force.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const DISABLE_OPERATION: Command = Command {
             name: "disable operation",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -8871,9 +9177,9 @@ pub mod single {
 
         /// Enable operation. `0xxx 1111`
         ///
-        /// Makes the drive follow its set values.
+        /// Sets bit 3.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, Tab. 5.
         pub const ENABLE_OPERATION: Command = Command {
             name: "enable operation",
             pattern: Pattern { mask: 0x008F, value: 0x000F },
@@ -8884,9 +9190,9 @@ pub mod single {
 
         /// Fault reset. `rxxx xxxx`
         ///
-        /// Leaves the state fault if its cause is gone.
+        /// Acknowledges the fault, once its cause is remedied.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.9, Tab. 5.
         pub const FAULT_RESET: Command = Command {
             name: "fault reset",
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
@@ -8908,109 +9214,140 @@ pub mod single {
     pub enum ModeOfOperation {
         /// Jog.
         ///
-        /// The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with
-        /// acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no
-        /// motion command.
+        /// The vendor's own, not for production, and offered with the controller-based and the drive-based
+        /// modes. The axis is moved by hand, through the jog control panel or by a controller, for
+        /// commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration
+        /// I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.
+        /// With velocity control the drive makes a quick stop at a software limit switch and stops beyond it;
+        /// with position control it stops shortly before.
         ///
         /// Caution:
         ///
-        /// - With velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active: only for axes without such a load.
-        /// - With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.
+        /// - DANGER, risk of fatal injury: with velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active. Only for axes without such a load.
         ///
-        /// Source: 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 21; these are the values that the text names, and
+        /// what the profile has for the mode.
         Jog = -1,
         /// No mode.
-        ///
-        /// As a request, the mode stays what it is; as a display, no mode is active.
         ///
         /// Source: 6.8, Tab. 28.
         NoMode = 0,
         /// Profile position mode.
         ///
-        /// The controller gives a target position; the drive makes the profile, with the velocity override
-        /// A340, and controls position.
+        /// Drive-based. The controller gives a target position; the drive makes the profile out of velocity,
+        /// acceleration, deceleration and jerk, with the velocity override A340, and controls position.
         ///
         /// Source: 6.6.5, Tab. 15, Tab. 16, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 16; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pp = 1,
         /// Velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and
-        /// controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and
+        /// deceleration, with the velocity override A340, and controls velocity.
         ///
         /// The process data carry its target velocity, which the standard mapping does not.
         ///
         /// Source: 6.6.6, Tab. 17, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
+        /// what the profile has for the mode.
         Vl = 2,
         /// Profile velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the profile, with the velocity override A340,
-        /// and controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration,
+        /// deceleration and jerk, with the velocity override A340, and controls velocity.
         ///
         /// Source: 6.6.7, Tab. 22, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 18; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pv = 3,
         /// Profile torque mode.
         ///
-        /// The controller gives a set torque or force; the drive makes the profile and controls torque. Its
-        /// short name in the manual is pt.
+        /// Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to
+        /// the velocity control, as printed, and controls torque. Its short name in the manual is pt.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.8, Tab. 23, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 19; these are the values that the text names, and
+        /// what the profile has for the mode.
         Tq = 4,
         /// Homing mode.
         ///
-        /// The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves.
-        /// On the way, software limit switches and hardware limit switches do not act as such; a hardware
-        /// switch ahead turns the axis round, one behind is a fault.
+        /// Offered with the controller-based and the drive-based modes. The drive finds its reference by
+        /// itself, in the way of A586. Only then can it make absolute moves. On the way, software limit
+        /// switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis
+        /// round, one behind is a fault.
         ///
         /// Caution:
         ///
-        /// - With a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
-        /// - If the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
+        /// - Information: with a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
+        /// - Information: if the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
         ///
-        /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+        /// what the profile has for the mode.
         Hm = 6,
         /// Interpolated position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The process data carry its set position, which the standard mapping does not.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.1, 6.9, 6.10, Tab. 6, Tab. 7, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 12; these are the values that the text names, and
+        /// what the profile has for the mode.
         Ip = 7,
         /// Cyclic synchronous position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.2, 6.9, 6.10, Tab. 12, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 13; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
-        /// The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No
-        /// ramps, no jerk limit.
+        /// Controller-based. The controller sends a set velocity every cycle; the drive interpolates and
+        /// controls velocity. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.3, 6.10, Tab. 13, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 14; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
-        /// The controller sends a set torque or force every cycle; the drive interpolates and controls torque.
-        /// No ramps, no jerk limit, but a velocity limit.
+        /// Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and
+        /// controls torque. No ramps, no jerk limit, but a velocity limit.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.4, Tab. 14, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 15; these are the values that the text names, and
+        /// what the profile has for the mode.
         Cst = 10,
     }
 
@@ -9019,26 +9356,26 @@ pub mod single {
         pub const fn text(self) -> &'static str {
             match self {
                 Self::Jog =>
-                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
-                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                    "The vendor's own, not for production, and offered with the controller-based and the drive-based modes. The axis is moved by hand, through the jog control panel or by a controller, for commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command. With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.",
+                Self::NoMode => "",
                 Self::Pp =>
-                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                    "Drive-based. The controller gives a target position; the drive makes the profile out of velocity, acceleration, deceleration and jerk, with the velocity override A340, and controls position.",
                 Self::Vl =>
-                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and deceleration, with the velocity override A340, and controls velocity.",
                 Self::Pv =>
-                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration, deceleration and jerk, with the velocity override A340, and controls velocity.",
                 Self::Tq =>
-                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                    "Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to the velocity control, as printed, and controls torque. Its short name in the manual is pt.",
                 Self::Hm =>
-                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                    "Offered with the controller-based and the drive-based modes. The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
                 Self::Ip =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csp =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csv =>
-                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
                 Self::Cst =>
-                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+                    "Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
             }
         }
     }
@@ -9121,11 +9458,19 @@ pub mod single {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    ///
+    /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+    /// what the profile has for the mode.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
+    ///
+    /// No motion command is carried out in Fault and Quick stop active. Any motion command but MC\_Stop can
+    /// be overwritten while it runs.
+    ///
+    /// Source: 6.8.
     pub const MACHINE: Machine = Machine {
         states: STATES,
         commands: commands::ALL,
@@ -9229,7 +9574,7 @@ pub mod single {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -9253,7 +9598,7 @@ pub mod single {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -9277,7 +9622,7 @@ pub mod single {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -9310,7 +9655,7 @@ pub mod single {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -9318,7 +9663,7 @@ pub mod single {
         ///
         /// Between the negative limit switch and the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the negative limit switch turns round and goes on to the reference switch.
         /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
         /// 4. There, the actual position becomes A569.
@@ -9351,7 +9696,7 @@ pub mod single {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
@@ -9362,7 +9707,7 @@ pub mod single {
         ///
         /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
-        /// 3. On leaving it, the actual position becomes A569.
+        /// 3. On reaching the reference switch, the actual position becomes A569.
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
@@ -9416,8 +9761,8 @@ pub mod single {
         ///
         /// On the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
-        /// 2. Turns round and goes on with A587\[0\].
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\] until it has left the switch.
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
         /// 4. On reaching it, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -9562,7 +9907,7 @@ pub mod single {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 5,
@@ -9570,7 +9915,7 @@ pub mod single {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "negatively positioned reference switch",
-                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 7,
@@ -9578,7 +9923,7 @@ pub mod single {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 11,
@@ -9586,7 +9931,7 @@ pub mod single {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 17,
@@ -9610,7 +9955,7 @@ pub mod single {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On reaching the reference switch, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 21,
@@ -9626,7 +9971,7 @@ pub mod single {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0] until it has left the switch. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 27,
@@ -9787,9 +10132,9 @@ pub mod single {
             /// - `02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
             pub vl_dimension_factor: [i32; 2],
             /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO.
-            pub quick_stop_option_code: QuickStopOptionCode,
+            pub quick_stop_option_code: i16,
             /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO.
-            pub fault_reaction_option_code: FaultReactionOptionCode,
+            pub fault_reaction_option_code: i16,
             /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8.
             pub modes_of_operation: i8,
             /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
@@ -9817,17 +10162,11 @@ pub mod single {
             /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             pub target_position: i32,
             /// `0x607B` Position range limit.
-            ///
-            /// - `01` Min position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            /// - `02` Max position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub position_range_limit: [i32; 2],
+            pub position_range_limit: PositionRangeLimit,
             /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
             pub home_offset: i32,
             /// `0x607D` Software position limit.
-            ///
-            /// - `01` Min position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            /// - `02` Max position limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub software_position_limit: [i32; 2],
+            pub software_position_limit: SoftwarePositionLimit,
             /// `0x607E:00` Polarity. UINT8, rw, RxPDO.
             pub polarity: Polarity,
             /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
@@ -9843,29 +10182,20 @@ pub mod single {
             /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO.
             pub torque_slope: u32,
             /// `0x6091` Gear ratio.
-            ///
-            /// - `01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub gear_ratio: [u32; 2],
+            pub gear_ratio: GearRatio,
             /// `0x6092` Feed constant.
-            ///
-            /// - `01` Feed. UINT32, rw, RxPDO and TxPDO, default 0x00100000.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
-            pub feed_constant: [u32; 2],
+            pub feed_constant: FeedConstant,
             /// `0x6098:00` Homing method. INT8, rw.
             pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
-            ///
-            /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            /// - `02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
-            pub homing_speeds: [u32; 2],
+            pub homing_speeds: HomingSpeeds,
             /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311.
             pub homing_acceleration: u32,
             /// `0x60A3:00` Profile jerk use. UINT8, rw.
             pub profile_jerk_use: u8,
             /// `0x60A4` Profile jerk.
             ///
-            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
             pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
             pub velocity_offset: i32,
@@ -9884,11 +10214,9 @@ pub mod single {
             /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
             pub touch_probe_2_negative_edge: i32,
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
-            pub interpolation_sub_mode_select: InterpolationSubModeSelect,
+            pub interpolation_sub_mode_select: i16,
             /// `0x60C1` Interpolation data record.
-            ///
-            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub interpolation_data_record: [i32; 1],
+            pub interpolation_data_record: InterpolationDataRecord,
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -9903,32 +10231,9 @@ pub mod single {
             /// - `02` Touch probe 2 source. INT16, rw.
             pub touch_probe_source: [i16; 2],
             /// `0x60E3` Supported homing methods.
-            ///
-            /// - `01` 1st supported homing method. INT8, ro.
-            /// - `02` 2nd supported homing method. INT8, ro.
-            /// - `03` 3rd supported homing method. INT8, ro.
-            /// - `04` 4th supported homing method. INT8, ro.
-            /// - `05` 5th supported homing method. INT8, ro.
-            /// - `06` 6th supported homing method. INT8, ro.
-            /// - `07` 7th supported homing method. INT8, ro.
-            /// - `08` 8th supported homing method. INT8, ro.
-            /// - `09` 9th supported homing method. INT8, ro.
-            /// - `0A` 10th supported homing method. INT8, ro.
-            /// - `0B` 11th supported homing method. INT8, ro.
-            /// - `0C` 12th supported homing method. INT8, ro.
-            /// - `0D` 13th supported homing method. INT8, ro.
-            /// - `0E` 14th supported homing method. INT8, ro.
-            /// - `0F` 15th supported homing method. INT8, ro.
-            /// - `10` 16th supported homing method. INT8, ro.
-            /// - `11` 17th supported homing method. INT8, ro.
-            /// - `12` 18th supported homing method. INT8, ro.
-            /// - `13` 19th supported homing method. INT8, ro.
-            /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [HomingMethod; 20],
+            pub supported_homing_methods: SupportedHomingMethods,
             /// `0x60E4` Additional position actual value / 1st value.
-            ///
-            /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
-            pub additional_position_actual_value: [i32; 1],
+            pub additional_position_actual_value: AdditionalPositionActualValue,
             /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO.
             pub positioning_option_code: PositioningOptionCode,
             /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
@@ -10002,8 +10307,8 @@ pub mod single {
                 vl_velocity_quick_stop: VlVelocityQuickStop { delta_speed: 0, delta_time: 0 },
                 vl_set_point_factor: [0; 2],
                 vl_dimension_factor: [0; 2],
-                quick_stop_option_code: QuickStopOptionCode(0),
-                fault_reaction_option_code: FaultReactionOptionCode(0),
+                quick_stop_option_code: 0,
+                fault_reaction_option_code: 0,
                 modes_of_operation: 8,
                 modes_of_operation_display: 0,
                 position_actual_value: 0,
@@ -10017,9 +10322,15 @@ pub mod single {
                 current_actual_value: 0,
                 dc_link_circuit_voltage: 0,
                 target_position: 0,
-                position_range_limit: [0; 2],
+                position_range_limit: PositionRangeLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 home_offset: 0,
-                software_position_limit: [0; 2],
+                software_position_limit: SoftwarePositionLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 polarity: Polarity(0),
                 max_profile_velocity: 0,
                 profile_velocity: 0,
@@ -10027,10 +10338,13 @@ pub mod single {
                 profile_deceleration: 0,
                 quick_stop_deceleration: 0,
                 torque_slope: 0,
-                gear_ratio: [0; 2],
-                feed_constant: [0x0010_0000, 1],
+                gear_ratio: GearRatio { motor_revolutions: 0, shaft_revolutions: 0 },
+                feed_constant: FeedConstant { feed: 0x0010_0000, shaft_revolutions: 1 },
                 homing_method: HomingMethod(0),
-                homing_speeds: [0; 2],
+                homing_speeds: HomingSpeeds {
+                    speed_during_search_for_switch: 0,
+                    speed_during_search_for_zero: 0,
+                },
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
                 profile_jerk: [0; 1],
@@ -10042,8 +10356,8 @@ pub mod single {
                 touch_probe_1_negative_edge: 0,
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
-                interpolation_sub_mode_select: InterpolationSubModeSelect(0),
-                interpolation_data_record: [0; 1],
+                interpolation_sub_mode_select: 0,
+                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -10051,16 +10365,39 @@ pub mod single {
                 interpolation_data_configuration: InterpolationDataConfiguration {
                     maximum_buffer_size: 0,
                     actual_buffer_size: 0,
-                    buffer_organisation: BufferOrganisation(0),
+                    buffer_organisation: 0,
                     buffer_position: 0,
                     size_of_data_record: 0,
-                    buffer_clear: BufferClear(0),
+                    buffer_clear: 0,
                 },
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [HomingMethod(0); 20],
-                additional_position_actual_value: [0; 1],
+                supported_homing_methods: SupportedHomingMethods {
+                    _1st_supported_homing_method: HomingMethod(0),
+                    _2nd_supported_homing_method: HomingMethod(0),
+                    _3rd_supported_homing_method: HomingMethod(0),
+                    _4th_supported_homing_method: HomingMethod(0),
+                    _5th_supported_homing_method: HomingMethod(0),
+                    _6th_supported_homing_method: HomingMethod(0),
+                    _7th_supported_homing_method: HomingMethod(0),
+                    _8th_supported_homing_method: HomingMethod(0),
+                    _9th_supported_homing_method: HomingMethod(0),
+                    _10th_supported_homing_method: HomingMethod(0),
+                    _11th_supported_homing_method: HomingMethod(0),
+                    _12th_supported_homing_method: HomingMethod(0),
+                    _13th_supported_homing_method: HomingMethod(0),
+                    _14th_supported_homing_method: HomingMethod(0),
+                    _15th_supported_homing_method: HomingMethod(0),
+                    _16th_supported_homing_method: HomingMethod(0),
+                    _17th_supported_homing_method: HomingMethod(0),
+                    _18th_supported_homing_method: HomingMethod(0),
+                    _19th_supported_homing_method: HomingMethod(0),
+                    _20th_supported_homing_method: HomingMethod(0),
+                },
+                additional_position_actual_value: AdditionalPositionActualValue {
+                    _1st_additional_position_actual_value: 0,
+                },
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
                 digital_inputs: DigitalInputs(0),
@@ -10154,28 +10491,80 @@ pub mod single {
         /// `0x6048` Vl velocity acceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityAcceleration {
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x6049` Vl velocity deceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityDeceleration {
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x604A` Vl velocity quick stop.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityQuickStop {
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
+        }
+
+        /// `0x607B` Position range limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct PositionRangeLimit {
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub min_position_range_limit: i32,
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x607D` Software position limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SoftwarePositionLimit {
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub min_position_range_limit: i32,
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x6091` Gear ratio.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct GearRatio {
+            /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub motor_revolutions: u32,
+            /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6092` Feed constant.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct FeedConstant {
+            /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO, default 0x00100000.
+            pub feed: u32,
+            /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO, default 1.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6099` Homing speeds.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct HomingSpeeds {
+            /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
+            pub speed_during_search_for_switch: u32,
+            /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
+            pub speed_during_search_for_zero: u32,
+        }
+
+        /// `0x60C1` Interpolation data record.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct InterpolationDataRecord {
+            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub _1st_set_point: i32,
         }
 
         /// `0x60C2` Interpolation time period.
@@ -10195,13 +10584,65 @@ pub mod single {
             /// `0x60C4:02` Actual buffer size. UINT32, rw.
             pub actual_buffer_size: u32,
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
-            pub buffer_organisation: BufferOrganisation,
+            pub buffer_organisation: u8,
             /// `0x60C4:04` Buffer position. UINT16, rw.
             pub buffer_position: u16,
             /// `0x60C4:05` Size of data record. UINT8, wo.
             pub size_of_data_record: u8,
             /// `0x60C4:06` Buffer clear. UINT8, wo.
-            pub buffer_clear: BufferClear,
+            pub buffer_clear: u8,
+        }
+
+        /// `0x60E3` Supported homing methods.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SupportedHomingMethods {
+            /// `0x60E3:01` 1st supported homing method. INT8, ro.
+            pub _1st_supported_homing_method: HomingMethod,
+            /// `0x60E3:02` 2nd supported homing method. INT8, ro.
+            pub _2nd_supported_homing_method: HomingMethod,
+            /// `0x60E3:03` 3rd supported homing method. INT8, ro.
+            pub _3rd_supported_homing_method: HomingMethod,
+            /// `0x60E3:04` 4th supported homing method. INT8, ro.
+            pub _4th_supported_homing_method: HomingMethod,
+            /// `0x60E3:05` 5th supported homing method. INT8, ro.
+            pub _5th_supported_homing_method: HomingMethod,
+            /// `0x60E3:06` 6th supported homing method. INT8, ro.
+            pub _6th_supported_homing_method: HomingMethod,
+            /// `0x60E3:07` 7th supported homing method. INT8, ro.
+            pub _7th_supported_homing_method: HomingMethod,
+            /// `0x60E3:08` 8th supported homing method. INT8, ro.
+            pub _8th_supported_homing_method: HomingMethod,
+            /// `0x60E3:09` 9th supported homing method. INT8, ro.
+            pub _9th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0A` 10th supported homing method. INT8, ro.
+            pub _10th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0B` 11th supported homing method. INT8, ro.
+            pub _11th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0C` 12th supported homing method. INT8, ro.
+            pub _12th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0D` 13th supported homing method. INT8, ro.
+            pub _13th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0E` 14th supported homing method. INT8, ro.
+            pub _14th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0F` 15th supported homing method. INT8, ro.
+            pub _15th_supported_homing_method: HomingMethod,
+            /// `0x60E3:10` 16th supported homing method. INT8, ro.
+            pub _16th_supported_homing_method: HomingMethod,
+            /// `0x60E3:11` 17th supported homing method. INT8, ro.
+            pub _17th_supported_homing_method: HomingMethod,
+            /// `0x60E3:12` 18th supported homing method. INT8, ro.
+            pub _18th_supported_homing_method: HomingMethod,
+            /// `0x60E3:13` 19th supported homing method. INT8, ro.
+            pub _19th_supported_homing_method: HomingMethod,
+            /// `0x60E3:14` 20th supported homing method. INT8, ro.
+            pub _20th_supported_homing_method: HomingMethod,
+        }
+
+        /// `0x60E4` Additional position actual value / 1st value.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct AdditionalPositionActualValue {
+            /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in deg × 45 ÷ 131072.
+            pub _1st_additional_position_actual_value: i32,
         }
 
         impl sdo::Values for Dictionary {
@@ -10231,8 +10672,8 @@ pub mod single {
                     18 => self.vl_velocity_quick_stop.slot(place.item),
                     19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
                     20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
                     23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
                     24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
                     25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
@@ -10246,9 +10687,9 @@ pub mod single {
                     33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
                     34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
                     35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
+                    36 => self.position_range_limit.slot(place.item),
                     37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                    38 => self.software_position_limit.slot(place.item),
                     39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
                     40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
                     41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
@@ -10256,10 +10697,10 @@ pub mod single {
                     43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
                     44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
                     45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
+                    46 => self.gear_ratio.slot(place.item),
+                    47 => self.feed_constant.slot(place.item),
                     48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
+                    49 => self.homing_speeds.slot(place.item),
                     50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
                     51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
                     52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
@@ -10271,15 +10712,15 @@ pub mod single {
                     58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
                     59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
                     60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    62 => self.interpolation_data_record.slot(place.item),
                     63 => self.interpolation_time_period.slot(place.item),
                     64 => self.interpolation_data_configuration.slot(place.item),
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
                     66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
                     67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
-                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
+                    68 => self.supported_homing_methods.slot(place.item),
+                    69 => self.additional_position_actual_value.slot(place.item),
                     70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
                     71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
                     72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
@@ -10375,6 +10816,65 @@ pub mod single {
             }
         }
 
+        impl PositionRangeLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SoftwarePositionLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl GearRatio {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.motor_revolutions)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl FeedConstant {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.feed)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl HomingSpeeds {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
+                    1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataRecord {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
+                    _ => None,
+                }
+            }
+        }
+
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -10390,10 +10890,47 @@ pub mod single {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
                     1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation)),
                     3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
                     4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SupportedHomingMethods {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I8(&mut self._1st_supported_homing_method.0)),
+                    1 => Some(sdo::Slot::I8(&mut self._2nd_supported_homing_method.0)),
+                    2 => Some(sdo::Slot::I8(&mut self._3rd_supported_homing_method.0)),
+                    3 => Some(sdo::Slot::I8(&mut self._4th_supported_homing_method.0)),
+                    4 => Some(sdo::Slot::I8(&mut self._5th_supported_homing_method.0)),
+                    5 => Some(sdo::Slot::I8(&mut self._6th_supported_homing_method.0)),
+                    6 => Some(sdo::Slot::I8(&mut self._7th_supported_homing_method.0)),
+                    7 => Some(sdo::Slot::I8(&mut self._8th_supported_homing_method.0)),
+                    8 => Some(sdo::Slot::I8(&mut self._9th_supported_homing_method.0)),
+                    9 => Some(sdo::Slot::I8(&mut self._10th_supported_homing_method.0)),
+                    10 => Some(sdo::Slot::I8(&mut self._11th_supported_homing_method.0)),
+                    11 => Some(sdo::Slot::I8(&mut self._12th_supported_homing_method.0)),
+                    12 => Some(sdo::Slot::I8(&mut self._13th_supported_homing_method.0)),
+                    13 => Some(sdo::Slot::I8(&mut self._14th_supported_homing_method.0)),
+                    14 => Some(sdo::Slot::I8(&mut self._15th_supported_homing_method.0)),
+                    15 => Some(sdo::Slot::I8(&mut self._16th_supported_homing_method.0)),
+                    16 => Some(sdo::Slot::I8(&mut self._17th_supported_homing_method.0)),
+                    17 => Some(sdo::Slot::I8(&mut self._18th_supported_homing_method.0)),
+                    18 => Some(sdo::Slot::I8(&mut self._19th_supported_homing_method.0)),
+                    19 => Some(sdo::Slot::I8(&mut self._20th_supported_homing_method.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl AdditionalPositionActualValue {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_additional_position_actual_value)),
                     _ => None,
                 }
             }
@@ -10739,7 +11276,7 @@ pub mod single {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     36,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
@@ -10753,7 +11290,7 @@ pub mod single {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     38,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
@@ -10803,14 +11340,14 @@ pub mod single {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     46,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     87,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     47,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
@@ -10818,7 +11355,7 @@ pub mod single {
                 ),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
@@ -10867,7 +11404,7 @@ pub mod single {
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     62,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
@@ -10921,14 +11458,14 @@ pub mod single {
                     87,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     68,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     90,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     69,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
@@ -11008,9 +11545,9 @@ pub mod single {
             "Error code", "Control word", "Statusword", "vl target velocity", "vl velocity demand",
             "vl velocity actual value", "vl velocity min max amount", "Highest subindex supported",
             "vl velocity min amount", "vl velocity max amount", "vl velocity acceleration",
-            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity deceleration",
-            "Highest subindex supported", "Delta speed", "Delta time", "vl velocity quick stop",
-            "Highest subindex supported", "Delta speed", "Delta time", "vl set-point factor",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity deceleration",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity quick stop",
+            "Highest subindex supported", "Delta Speed", "Delta Time", "vl set-point factor",
             "Highest subindex supported", "vl set-point factor numerator", "vl set-point factor denominator",
             "vl dimension factor", "Highest subindex supported", "vl dimension factor numerator",
             "vl dimension factor denominator", "Quick stop option code", "Fault reaction option code",
@@ -11018,15 +11555,15 @@ pub mod single {
             "Following error window", "Following error time out", "Velocity actual value", "Target torque",
             "Maximum torque", "Rated torque", "Torque actual value", "Current actual value",
             "DC link circuit voltage", "Target position", "Position range limit",
-            "Highest subindex supported", "Min position range limit", "Max position range limit",
-            "Home offset", "Software position limit", "Highest subindex supported", "Min position limit",
-            "Max position limit", "Polarity", "Max profile velocity", "Profile velocity",
-            "Profile acceleration", "Profile deceleration", "Quick stop deceleration", "Torque slope",
-            "Gear ratio", "Highest subindex supported", "Motor revolutions", "Shaft revolutions",
-            "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions", "Homing method",
-            "Homing speeds", "Highest subindex supported", "Speed during search for switch",
+            "Highest subindex supported", "Min. position range limit", "Max. position range limit",
+            "Home offset", "Software position limit", "Highest subindex supported",
+            "Min. position range limit", "Max. position range limit", "Polarity", "Max profile velocity",
+            "Profile velocity", "Profile acceleration", "Profile deceleration", "Quick stop deceleration",
+            "Torque slope", "Gear ratio", "Highest subindex supported", "Motor revolutions",
+            "Shaft revolutions", "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions",
+            "Homing method", "Homing speeds", "Highest subindex supported", "Speed during search for switch",
             "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
-            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
+            "Highest subindex supported", "Profile jerk, Profile jerk 1", "Velocity offset", "Torque offset",
             "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
             "Touch probe position 1 negative value", "Touch probe position 2 positive value",
             "Touch probe position 2 negative value", "Interpolation sub mode select",
@@ -11061,8 +11598,9 @@ pub mod double_hires {
     //! controller makes the path and modes in which the drive does. It is set up with the software
     //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
     //!
-    //! Each axis has its own state machine, modes and process data. Coordinates with the number of the
-    //! axis, 1.A515 or 2.A515, tell them apart; parameters of the whole device have none.
+    //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
+    //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
+    //! none.
     //!
     //! A source without a document is a place in the first of these, 1005347-en-US-02:
     //!
@@ -11100,8 +11638,6 @@ pub mod double_hires {
     /// The PMC SC6/SI6 double-axis, CiA 402 HiRes Motion.
     ///
     /// Models: PMC SC6, PMC SI6.
-    ///
-    /// Source: 5.3.2, 5.1.1.1.
     ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
     /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
@@ -11155,14 +11691,14 @@ pub mod double_hires {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0xFFFF0192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1000:00` Device type. UINT32, ro, default 0xFFFF0192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: no source lists it; several drives after CiA 402.
         pub const DEVICE_TYPE: Entry<DoubleHires, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1008:00` Manufacturer device name. STRING(80), ro.
         ///
         /// The name of the device.
         ///
@@ -11170,7 +11706,7 @@ pub mod double_hires {
         /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<DoubleHires, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro.
         ///
         /// The version of the hardware.
         ///
@@ -11178,7 +11714,7 @@ pub mod double_hires {
         /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<DoubleHires, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x100A:00` Manufacturer software version. STRING(80), ro.
         ///
         /// The version of the firmware.
         ///
@@ -11189,8 +11725,6 @@ pub mod double_hires {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod identity_object {
             use super::*;
 
@@ -11362,8 +11896,6 @@ pub mod double_hires {
         }
 
         /// `0x1C12` Sync manager 2 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
@@ -11378,8 +11910,6 @@ pub mod double_hires {
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
@@ -11396,8 +11926,6 @@ pub mod double_hires {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -11477,8 +12005,6 @@ pub mod double_hires {
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -11562,6 +12088,8 @@ pub mod double_hires {
         /// Sixteen bits, each with the source that A66 gives it.
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const fn status_word_user_defined(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly, Tx> {
             axis.entry(0x2043, 0x8000, 0)
         }
@@ -11569,6 +12097,8 @@ pub mod double_hires {
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const fn status_word_2(axis: Axis) -> Entry<DoubleHires, u16, ReadOnly, Tx> {
             axis.entry(0x28C9, 0x8000, 0)
         }
@@ -11580,23 +12110,26 @@ pub mod double_hires {
             axis.entry(0x603F, 0x800, 0)
         }
 
-        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (6.5.2.1, 6.6, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Bits 0 to 3 and 7 make the commands of the device state machine; bits 4 to 6 belong to the mode.
         pub const fn controlword(axis: Axis) -> Entry<DoubleHires, Controlword, ReadWrite, RxTx> {
             axis.entry(0x6040, 0x800, 0)
         }
 
-        /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6041:00` Statusword. WORD, ro, TxPDO (6.5, 6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Its bits show the state of the drive, and bits 10, 12 and 13 what the mode has come to.
         pub const fn statusword(axis: Axis) -> Entry<DoubleHires, Statusword, ReadOnly, Tx> {
             axis.entry(0x6041, 0x800, 0)
         }
 
-        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (6.6.6, Tab. 17 to 19, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in velocity mode, before limits and ramps.
+        /// The set velocity of velocity mode, as bits 4 to 6 of the control word let it through.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const fn vl_target_velocity(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
             axis.entry(0x6042, 0x800, 0)
         }
@@ -11608,9 +12141,11 @@ pub mod double_hires {
             axis.entry(0x6043, 0x800, 0)
         }
 
-        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (Tab. 20, Tab. 21, Tab. 34, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const fn vl_velocity_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
             axis.entry(0x6044, 0x800, 0)
         }
@@ -11652,12 +12187,12 @@ pub mod double_hires {
                 axis.entry(0x6048, 0x800, 0)
             }
 
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 1)
             }
 
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
                 axis.entry(0x6048, 0x800, 2)
             }
@@ -11676,12 +12211,12 @@ pub mod double_hires {
                 axis.entry(0x6049, 0x800, 0)
             }
 
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 1)
             }
 
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
                 axis.entry(0x6049, 0x800, 2)
             }
@@ -11700,12 +12235,12 @@ pub mod double_hires {
                 axis.entry(0x604A, 0x800, 0)
             }
 
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const fn delta_speed(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 1)
             }
 
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const fn delta_time(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
                 axis.entry(0x604A, 0x800, 2)
             }
@@ -11767,51 +12302,50 @@ pub mod double_hires {
             }
         }
 
-        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (6.5.2.7, Tab. 34, Tab. 35).
         ///
-        /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const fn quick_stop_option_code(
-            axis: Axis,
-        ) -> Entry<DoubleHires, QuickStopOptionCode, ReadWrite, Rx> {
+        /// Its values are not given. After a quick stop, the drive always goes to Switch on disabled.
+        pub const fn quick_stop_option_code(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, Rx> {
             axis.entry(0x605A, 0x800, 0)
         }
 
-        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (6.5.2.8, Tab. 34, Tab. 35).
         ///
-        /// What the drive does when a fault is found.
-        pub const fn fault_reaction_option_code(
-            axis: Axis,
-        ) -> Entry<DoubleHires, FaultReactionOptionCode, ReadWrite, Rx> {
+        /// Its values are not given. The reaction depends on the fault.
+        pub const fn fault_reaction_option_code(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, Rx> {
             axis.entry(0x605E, 0x800, 0)
         }
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
+        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, 6.6, Tab. 30, Tab. 31,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is asked for; 0x6061 tells when it is active.
+        /// Selects the mode of operation by its number; 0x6061 shows the one that is active.
         pub const fn modes_of_operation(axis: Axis) -> Entry<DoubleHires, i8, ReadWrite, RxTx> {
             axis.entry(0x6060, 0x800, 0)
         }
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is active.
+        /// The number of the mode of operation that is active.
         pub const fn modes_of_operation_display(axis: Axis) -> Entry<DoubleHires, i8, ReadOnly, Tx> {
             axis.entry(0x6061, 0x800, 0)
         }
 
-        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in user unit / 10^I06 (6.4.3.1, Tab. 32, Tab.
+        /// 33, Tab. 34, Tab. 35).
         ///
-        /// The measured position, in position units.
+        /// The actual position. If the controller keeps the reference (I46 = 5), it is the absolute position of
+        /// the motor encoder.
         pub const fn position_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x6064, 0x800, 0)
         }
 
-        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab.
-        /// 34; 7.2.2, Tab. 35).
+        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (5.1.4.2.4,
+        /// Tab. 34, Tab. 35).
         ///
-        /// How far the actual position may be from the demanded one, to either side, before a following error
-        /// is counted; the largest value switches the supervision off.
+        /// The tolerance of the check for lag.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const fn following_error_window(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6065, 0x800, 0)
         }
@@ -11824,15 +12358,15 @@ pub mod double_hires {
             axis.entry(0x6066, 0x800, 0)
         }
 
-        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in user unit/s / 10^A310 (6.7, Tab. 32, Tab.
+        /// 33, Tab. 34, Tab. 35).
         ///
-        /// The measured velocity, in velocity units.
+        /// The actual velocity. Below C40 the axis stands (I199 = 1).
         pub const fn velocity_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x606C, 0x800, 0)
         }
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
         pub const fn target_torque(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
@@ -11854,7 +12388,7 @@ pub mod double_hires {
             axis.entry(0x6076, 0x800, 0)
         }
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
         pub const fn torque_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
@@ -11875,21 +12409,20 @@ pub mod double_hires {
             axis.entry(0x6079, 0x800, 0)
         }
 
-        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (6.6.2, 6.6.5, Tab.
+        /// 15, Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The position to move to: the end of a move in profile position mode, the next point of the path in
-        /// cyclic synchronous position mode.
+        /// The set position: where a move of profile position mode ends, absolute or as a distance, or the next
+        /// position of cyclic synchronous position mode.
         pub const fn target_position(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x607A, 0x800, 0)
         }
 
         /// `0x607B` Position range limit.
         ///
-        /// The range of position values; at one end the count goes on from the other, as a rotary axis needs
-        /// it.
+        /// Its second value is the length of a revolution of an endless axis; the first does nothing.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
@@ -11898,14 +12431,14 @@ pub mod double_hires {
                 axis.entry(0x607B, 0x800, 0)
             }
 
-            /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             ///
             /// There for compatibility only, it does nothing.
             pub const fn min_position_range_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x607B, 0x800, 1)
             }
 
-            /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
@@ -11914,22 +12447,23 @@ pub mod double_hires {
             }
         }
 
-        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34; 7.2.2,
+        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (6.4.1.1, 6.4.2, Tab. 34,
         /// Tab. 35).
         ///
-        /// The distance from the home position found by homing to the zero of the position values.
+        /// The reference position, as the chapters on referencing call it: at the event that the homing method
+        /// waits for, it takes the place of the actual position I80.
         pub const fn home_offset(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x607C, 0x800, 0)
         }
 
         /// `0x607D` Software position limit.
         ///
-        /// The least and the greatest position that may be demanded or reached.
+        /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
         ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34.
+        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
@@ -11938,22 +12472,22 @@ pub mod double_hires {
                 axis.entry(0x607D, 0x800, 0)
             }
 
-            /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const fn min_position_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub const fn min_position_range_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x607D, 0x800, 1)
             }
 
-            /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const fn max_position_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub const fn max_position_range_limit(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
                 axis.entry(0x607D, 0x800, 2)
             }
         }
 
-        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, Tab. 34).
+        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
-        /// Which set values and actual values are multiplied by -1.
+        /// The direction of the axis against that of the motor.
         ///
-        /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
+        /// Only bit 7 has a function.
         pub const fn polarity(axis: Axis) -> Entry<DoubleHires, Polarity, ReadWrite, Rx> {
             axis.entry(0x607E, 0x800, 0)
         }
@@ -12007,11 +12541,9 @@ pub mod double_hires {
 
         /// `0x6091` Gear ratio.
         ///
-        /// Revolutions of the motor for revolutions of the shaft behind the gear.
+        /// The gear ratio: revolutions of the motor for revolutions of the shaft. Set for HiRes Motion only.
         ///
-        /// Set for HiRes Motion only.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod gear_ratio {
             use super::*;
 
@@ -12033,12 +12565,10 @@ pub mod double_hires {
 
         /// `0x6092` Feed constant.
         ///
-        /// The way that the load goes, in position units, for revolutions of the shaft behind the gear.
+        /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
+        /// controller scales; set to the feed of the axis with HiRes Motion.
         ///
-        /// Stays at its preset with CiA 402, where the controller scales; set to the feed of the axis with
-        /// HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
@@ -12058,18 +12588,19 @@ pub mod double_hires {
             }
         }
 
-        /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6098:00` Homing method. INT8, rw (6.4.1, Tab. 34, Tab. 35).
         ///
-        /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
+        /// How the axis is referenced, by the number of the method.
         pub const fn homing_method(axis: Axis) -> Entry<DoubleHires, HomingMethod, ReadWrite> {
             axis.entry(0x6098, 0x800, 0)
         }
 
         /// `0x6099` Homing speeds.
         ///
-        /// How fast the drive moves while it looks for the home position.
+        /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
+        /// method says.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
@@ -12093,10 +12624,10 @@ pub mod double_hires {
             }
         }
 
-        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1, Tab.
-        /// 34; 7.2.2, Tab. 35).
+        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (6.4.1.1,
+        /// Tab. 34, Tab. 35).
         ///
-        /// How the drive gets faster and slower while it looks for the home position.
+        /// Acceleration and deceleration of referencing.
         pub const fn homing_acceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x609A, 0x800, 0)
         }
@@ -12113,30 +12644,26 @@ pub mod double_hires {
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
         ///
         /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
-        pub mod profile_jerk {
+        pub mod profile_jerk_a {
             use super::*;
 
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const fn highest_subindex_supported(axis: Axis) -> Entry<DoubleHires, u8, ReadOnly> {
-                axis.entry(0x60A4, 0x800, 0)
-            }
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
-            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub const fn profile_jerk_1(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
-                axis.entry(0x60A4, 0x800, 1)
-            }
+            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<DoubleHires, u32, ReadWrite, RxTx> =
+                Entry::new(0x60A4, 1);
         }
 
-        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (6.9.4.1, Tab. 30,
+        /// Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
-        /// cyclic synchronous position mode.
+        /// With an external feedforward, the set velocity that the controller sends beside the set position.
         pub const fn velocity_offset(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x60B1, 0x800, 0)
         }
 
-        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
@@ -12144,50 +12671,50 @@ pub mod double_hires {
             axis.entry(0x60B2, 0x800, 0)
         }
 
-        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Switches the touch probes on and says which edges of which signal they look for.
+        /// Switches the two position measurements on and says which edges they look for.
         pub const fn touch_probe_function(
             axis: Axis,
         ) -> Entry<DoubleHires, TouchProbeFunction, ReadWrite, RxTx> {
             axis.entry(0x60B8, 0x800, 0)
         }
 
-        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Which touch probes are on, and which edges they have seen.
+        /// Which position measurements are on, and which edges they have met.
         pub const fn touch_probe_status(axis: Axis) -> Entry<DoubleHires, TouchProbeStatus, ReadOnly, Tx> {
             axis.entry(0x60B9, 0x800, 0)
         }
 
-        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 1 has seen.
+        /// The position at the rising edge of signal 1. It stays when the measurement is switched off.
         pub const fn touch_probe_1_positive_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BA, 0x800, 0)
         }
 
-        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 1 has seen.
+        /// The position at the falling edge of signal 1. It stays when the measurement is switched off.
         pub const fn touch_probe_1_negative_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BB, 0x800, 0)
         }
 
-        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 2 has seen.
+        /// The position at the rising edge of signal 2; measurement 2 works as 1 does.
         pub const fn touch_probe_2_positive_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BC, 0x800, 0)
         }
 
-        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 2 has seen.
+        /// The position at the falling edge of signal 2; measurement 2 works as 1 does.
         pub const fn touch_probe_2_negative_edge(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60BD, 0x800, 0)
         }
@@ -12195,42 +12722,30 @@ pub mod double_hires {
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const fn interpolation_sub_mode_select(
-            axis: Axis,
-        ) -> Entry<DoubleHires, InterpolationSubModeSelect, ReadWrite, Rx> {
+        pub const fn interpolation_sub_mode_select(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, Rx> {
             axis.entry(0x60C0, 0x800, 0)
         }
 
         /// `0x60C1` Interpolation data record.
         ///
-        /// The set-points between which interpolated position mode interpolates; what each of them holds
-        /// depends on the way of interpolating.
+        /// The set position of interpolated position mode: one value, not a set of them.
         ///
-        /// One set value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 34.
-        pub mod interpolation_data_record {
+        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        pub mod interpolation_data_record_a {
             use super::*;
 
             /// `0x60C1:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const fn highest_subindex_supported(axis: Axis) -> Entry<DoubleHires, u8, ReadOnly> {
-                axis.entry(0x60C1, 0x800, 0)
-            }
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x60C1, 0);
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const fn _1st_set_point(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
-                axis.entry(0x60C1, 0x800, 1)
-            }
+            pub const _1ST_SET_POINT: Entry<DoubleHires, i32, ReadWrite, RxTx> = Entry::new(0x60C1, 1);
         }
 
         /// `0x60C2` Interpolation time period.
         ///
-        /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
-        /// 10^index seconds.
+        /// The interval between set values. It goes to A291, which must be A150 or a multiple of it.
         ///
-        /// Goes to A291, which must be A150 or a multiple of it.
-        ///
-        /// Source: 6.10, Tab. 34.
+        /// Source: 6.10, Tab. 34, Tab. 35.
         pub mod interpolation_time_period {
             use super::*;
 
@@ -12289,9 +12804,7 @@ pub mod double_hires {
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
             ///
             /// There for compatibility only, it does nothing.
-            pub const fn buffer_organisation(
-                axis: Axis,
-            ) -> Entry<DoubleHires, BufferOrganisation, ReadWrite> {
+            pub const fn buffer_organisation(axis: Axis) -> Entry<DoubleHires, u8, ReadWrite> {
                 axis.entry(0x60C4, 0x800, 3)
             }
 
@@ -12316,7 +12829,7 @@ pub mod double_hires {
             /// `0x60C4:06` Buffer clear. UINT8, wo.
             ///
             /// There for compatibility only, it does nothing.
-            pub const fn buffer_clear(axis: Axis) -> Entry<DoubleHires, BufferClear, WriteOnly> {
+            pub const fn buffer_clear(axis: Axis) -> Entry<DoubleHires, u8, WriteOnly> {
                 axis.entry(0x60C4, 0x800, 6)
             }
         }
@@ -12339,9 +12852,10 @@ pub mod double_hires {
 
         /// `0x60D0` Touch probe source.
         ///
-        /// The signal that triggers a touch probe if 0x60B8 leaves the choice to this object.
+        /// The sources of the signals 1 and 2, such as digital input DI1. Their values stand in a place that
+        /// the manual does not contain.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.11, Tab. 34, Tab. 35.
         pub mod touch_probe_source {
             use super::*;
 
@@ -12519,7 +13033,7 @@ pub mod double_hires {
         ///
         /// The positions measured by further encoders, in position units.
         ///
-        /// Source: Tab. 32, Tab. 34.
+        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
@@ -12536,25 +13050,26 @@ pub mod double_hires {
             }
         }
 
-        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (Tab. 15, Tab. 34, Tab. 35).
         ///
-        /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
-        /// turns.
+        /// What a distance of profile position mode is counted from.
         pub const fn positioning_option_code(
             axis: Axis,
         ) -> Entry<DoubleHires, PositioningOptionCode, ReadWrite, Rx> {
             axis.entry(0x60F2, 0x800, 0)
         }
 
-        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06 (Tab. 32, Tab. 33,
+        /// Tab. 34, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const fn following_error_actual_value(axis: Axis) -> Entry<DoubleHires, i32, ReadOnly, Tx> {
             axis.entry(0x60F4, 0x800, 0)
         }
 
-        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
@@ -12587,8 +13102,8 @@ pub mod double_hires {
             }
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (Tab. 30, Tab. 31,
+        /// Tab. 34, Tab. 35).
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
@@ -12605,6 +13120,39 @@ pub mod double_hires {
         pub const fn supported_drive_modes(axis: Axis) -> Entry<DoubleHires, SupportedDriveModes, ReadOnly> {
             axis.entry(0x6502, 0x800, 0)
         }
+
+        /// `0x68A4` Profile jerk.
+        ///
+        /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
+        ///
+        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        pub mod profile_jerk_b {
+            use super::*;
+
+            /// `0x68A4:00` Highest subindex supported. UINT8, ro, default 1.
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x68A4, 0);
+
+            /// `0x68A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            pub const PROFILE_JERK_1: Entry<DoubleHires, u32, ReadWrite, RxTx> = Entry::new(0x68A4, 1);
+        }
+
+        /// `0x68C1` Interpolation data record.
+        ///
+        /// The set position of interpolated position mode: one value, not a set of them.
+        ///
+        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        ///
+        /// Contradicted, kind: The profile has an array; the kind of an object with one entry shows in SDO
+        /// information only. An array on both, as far as one can tell.
+        pub mod interpolation_data_record_b {
+            use super::*;
+
+            /// `0x68C1:00` Highest subindex supported. UINT8, ro, default 1.
+            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x68C1, 0);
+
+            /// `0x68C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub const _1ST_SET_POINT: Entry<DoubleHires, i32, ReadWrite, RxTx> = Entry::new(0x68C1, 1);
+        }
     }
 
     /// `0x6040` Control word.
@@ -12612,12 +13160,14 @@ pub mod double_hires {
     /// Bits 0 to 3 and 7 together make a command, bits 4 to 6 belong to the mode. Of bits 8 to 15 the
     /// manual says nothing.
     ///
-    /// Source: 6.5.2.1, 6.6.
+    /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.9, 6.6, Tab. 5.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
         /// Bit 0: switch on.
+        ///
+        /// Set to switch on; cleared to shut down.
         pub const fn switch_on(self) -> bool {
             self.0 & 1 << 0 != 0
         }
@@ -12629,6 +13179,8 @@ pub mod double_hires {
         }
 
         /// Bit 1: enable voltage.
+        ///
+        /// Set to shut down from Switch on disabled; 0 disables the voltage.
         pub const fn enable_voltage(self) -> bool {
             self.0 & 1 << 1 != 0
         }
@@ -12641,7 +13193,7 @@ pub mod double_hires {
 
         /// Bit 2: quick stop.
         ///
-        /// Asks for a quick stop while it is 0.
+        /// 0 asks for a quick stop; set, the request is withdrawn.
         pub const fn quick_stop(self) -> bool {
             self.0 & 1 << 2 != 0
         }
@@ -12653,6 +13205,8 @@ pub mod double_hires {
         }
 
         /// Bit 3: enable operation.
+        ///
+        /// Set to enable operation; cleared to disable it.
         pub const fn enable_operation(self) -> bool {
             self.0 & 1 << 3 != 0
         }
@@ -12665,7 +13219,7 @@ pub mod double_hires {
 
         /// Bit 7: fault reset.
         ///
-        /// On the rising edge: Leaves the state fault if its cause is gone.
+        /// On the rising edge: Acknowledges a fault whose cause is remedied.
         pub const fn fault_reset(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -12678,7 +13232,7 @@ pub mod double_hires {
 
         /// Bit 4 in mode -1 (jog): jog positive.
         ///
-        /// Moves in the positive direction; with bit 5 the drive stops.
+        /// Moves in the positive direction; going to 0, or with bit 5, the axis brakes to a standstill.
         pub const fn jog_jog_positive(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -12691,7 +13245,7 @@ pub mod double_hires {
 
         /// Bit 5 in mode -1 (jog): jog negative.
         ///
-        /// Moves in the negative direction; with bit 4 the drive stops.
+        /// Moves in the negative direction; going to 0, or with bit 4, the axis brakes to a standstill.
         pub const fn jog_jog_negative(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -12813,7 +13367,8 @@ pub mod double_hires {
 
     /// `0x6041` Statusword.
     ///
-    /// Shows the state of the device, which E48 shows, too.
+    /// Shows the state of the drive, which E48 shows, too. Bits 10, 12 and 13 take their signals from A925
+    /// to A928.
     ///
     /// Source: 6.5, 6.5.2, 6.6.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -12929,7 +13484,8 @@ pub mod double_hires {
 
         /// Bit 10 in mode 4 (tq): target reached.
         ///
-        /// The set torque or force is reached, by the torque window. From the source A925.
+        /// The set torque or force is reached: it differs from the actual one by more than the torque window,
+        /// as printed. From the source A925.
         pub const fn tq_target_reached(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -12997,14 +13553,20 @@ pub mod double_hires {
 
     /// `0x607E` Polarity.
     ///
-    /// Source: Tab. 34.
+    /// Source: 5.1.4.2.2, Tab. 34.
+    ///
+    /// Assumed, bits.6: the manual gives bit 7 only, without a name; its name, and that of bit 6, are the
+    /// profile's.
+    ///
+    /// Assumed, bits.7.about: the manual gives bit 7 only, without a name; its name, and that of bit 6, are
+    /// the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Polarity(pub u8);
 
     impl Polarity {
         /// Bit 7: position polarity.
         ///
-        /// Positions are multiplied by -1.
+        /// Turns the direction of the axis against that of the motor.
         pub const fn position_polarity(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -13025,17 +13587,29 @@ pub mod double_hires {
     ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.4: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.5: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.12: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.13: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -13082,6 +13656,8 @@ pub mod double_hires {
         }
 
         /// Bit 4: touch probe 1 positive edge.
+        ///
+        /// The rising edge of the signal is measured; its position goes to 0x60BA.
         pub const fn touch_probe_1_positive_edge(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -13093,6 +13669,8 @@ pub mod double_hires {
         }
 
         /// Bit 5: touch probe 1 negative edge.
+        ///
+        /// The falling edge of the signal is measured; its position goes to 0x60BB.
         pub const fn touch_probe_1_negative_edge(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -13156,6 +13734,8 @@ pub mod double_hires {
         }
 
         /// Bit 12: touch probe 2 positive edge.
+        ///
+        /// As bit 4, with 0x60BC.
         pub const fn touch_probe_2_positive_edge(self) -> bool {
             self.0 & 1 << 12 != 0
         }
@@ -13167,6 +13747,8 @@ pub mod double_hires {
         }
 
         /// Bit 13: touch probe 2 negative edge.
+        ///
+        /// As bit 5, with 0x60BD.
         pub const fn touch_probe_2_negative_edge(self) -> bool {
             self.0 & 1 << 13 != 0
         }
@@ -13193,13 +13775,27 @@ pub mod double_hires {
 
     /// `0x60B9` Touch probe status.
     ///
+    /// All bits of a measurement are cleared when it is switched off.
+    ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.0: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.2: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.10: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -13231,16 +13827,22 @@ pub mod double_hires {
         }
 
         /// Bit 8: touch probe 2 enabled.
+        ///
+        /// Answers bit 8 of 0x60B8.
         pub const fn touch_probe_2_enabled(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
         /// Bit 9: touch probe 2 positive edge stored.
+        ///
+        /// As bit 1.
         pub const fn touch_probe_2_positive_edge_stored(self) -> bool {
             self.0 & 1 << 9 != 0
         }
 
         /// Bit 10: touch probe 2 negative edge stored.
+        ///
+        /// As bit 2.
         pub const fn touch_probe_2_negative_edge_stored(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -13255,9 +13857,16 @@ pub mod double_hires {
 
     /// `0x60F2` Positioning option code.
     ///
+    /// With bit 6 of the control word at 1, bits 0 and 1 choose between the motion commands
+    /// MC\_MoveAdditive (00) and MC\_MoveRelative (10).
+    ///
     /// Source: Tab. 15, Tab. 28.
     ///
-    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
+    /// Assumed, bits.0..=1.about: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -13353,8 +13962,6 @@ pub mod double_hires {
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
-    ///
-    /// Source: Tab. 34.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct DigitalInputs(pub u32);
 
@@ -13388,8 +13995,6 @@ pub mod double_hires {
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
-    ///
-    /// Source: Tab. 30.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PhysicalOutputs(pub u32);
 
@@ -13423,9 +14028,7 @@ pub mod double_hires {
 
     /// `0x6502` Supported drive modes.
     ///
-    /// Source: Tab. 34.
-    ///
-    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
+    /// Assumed, bits.3.about: the manual gives no bit of it; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -13613,229 +14216,6 @@ pub mod double_hires {
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
-    /// `0x605A:00` Quick stop option code.
-    ///
-    /// How the drive stops on the command quick stop, and where it goes from there.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct QuickStopOptionCode(pub i16);
-
-    impl QuickStopOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to switch on disabled.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to switch on disabled.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to switch on disabled.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to switch on disabled.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// Slow down ramp, stay.
-        ///
-        /// Slows down on the slow down ramp, then stays in quick stop active.
-        pub const SLOW_DOWN_RAMP_STAY: Self = Self(5);
-
-        /// Quick stop ramp, stay.
-        ///
-        /// Slows down on the quick stop ramp, then stays in quick stop active.
-        pub const QUICK_STOP_RAMP_STAY: Self = Self(6);
-
-        /// Current limit, stay.
-        ///
-        /// Slows down as hard as the current limit allows, then stays in quick stop active.
-        pub const CURRENT_LIMIT_STAY: Self = Self(7);
-
-        /// Voltage limit, stay.
-        ///
-        /// Slows down as hard as the voltage limit allows, then stays in quick stop active.
-        pub const VOLTAGE_LIMIT_STAY: Self = Self(8);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                5 => Some("slow down ramp, stay"),
-                6 => Some("quick stop ramp, stay"),
-                7 => Some("current limit, stay"),
-                8 => Some("voltage limit, stay"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
-                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
-                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
-                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
-                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
-                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
-                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(QuickStopOptionCode, "{}");
-
-    ::devc_runtime::value!(QuickStopOptionCode as i16);
-
-    /// `0x605E:00` Fault reaction option code.
-    ///
-    /// What the drive does when a fault is found.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct FaultReactionOptionCode(pub i16);
-
-    impl FaultReactionOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to fault.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to fault.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to fault.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to fault.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to fault.",
-                2 => "Slows down on the quick stop ramp, then goes to fault.",
-                3 => "Slows down as hard as the current limit allows, then goes to fault.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
-
-    ::devc_runtime::value!(FaultReactionOptionCode as i16);
-
-    /// `0x60C0:00` Interpolation sub mode select.
-    ///
-    /// The way of interpolating; negative values are the manufacturer's.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct InterpolationSubModeSelect(pub i16);
-
-    impl InterpolationSubModeSelect {
-        /// Linear interpolation.
-        pub const LINEAR_INTERPOLATION: Self = Self(0);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("linear interpolation"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
-
-    ::devc_runtime::value!(InterpolationSubModeSelect as i16);
-
-    /// `0x60C4:03` Buffer organisation.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferOrganisation(pub u8);
-
-    impl BufferOrganisation {
-        /// FIFO buffer.
-        pub const FIFO_BUFFER: Self = Self(0);
-
-        /// Ring buffer.
-        pub const RING_BUFFER: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("FIFO buffer"),
-                1 => Some("ring buffer"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferOrganisation, "{}");
-
-    ::devc_runtime::value!(BufferOrganisation as u8);
-
-    /// `0x60C4:06` Buffer clear.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferClear(pub u8);
-
-    impl BufferClear {
-        /// Clear the buffer and refuse records.
-        pub const CLEAR_THE_BUFFER_AND_REFUSE_RECORDS: Self = Self(0);
-
-        /// Accept records.
-        pub const ACCEPT_RECORDS: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("clear the buffer and refuse records"),
-                1 => Some("accept records"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferClear, "{}");
-
-    ::devc_runtime::value!(BufferClear as u8);
-
     /// An error code of Pilz's own system.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub struct VendorCode(pub u32);
@@ -13850,9 +14230,10 @@ pub mod double_hires {
 
         /// Limit switch.
         ///
-        /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
-        /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
-        /// its edge, a software switch once the actual position is beyond it by more than I22.
+        /// A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the
+        /// axis can move only away from the switch: I196 shows the direction that is locked, and the fault
+        /// cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch
+        /// with the window I22, by the condition of its cause.
         ///
         /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
@@ -13879,7 +14260,7 @@ pub mod double_hires {
             match self.0 {
                 52 => "Named only to show what an event looks like on the display.",
                 53 =>
-                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                    "A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the axis can move only away from the switch: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch with the window I22, by the condition of its cause.",
                 78 => "Set values stayed away; the drive goes to Fault.",
                 _ => "",
             }
@@ -14172,8 +14553,6 @@ pub mod double_hires {
 
     /// The outputs of the master with the PDOs assigned by default, 46 bytes.
     ///
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -14244,8 +14623,6 @@ pub mod double_hires {
     }
 
     /// The inputs of the master with the PDOs assigned by default, 58 bytes.
-    ///
-    /// Source: 5.1.3, 7.1.
     ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
@@ -14318,8 +14695,6 @@ pub mod double_hires {
             &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -14338,8 +14713,6 @@ pub mod double_hires {
         };
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -14406,39 +14779,36 @@ pub mod double_hires {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
-    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
-    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    /// *Not ready to switch on* `x0xx 0000`: The drive starts up, tests itself and loads its parameters.
+    /// Power unit, drive function and activation function are locked. The brakes stay applied. (6.5.2.2)
     ///
-    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
-    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// *Switch on disabled* `x1xx 0000`: Start and self-test have ended well. E47 and E49 tell which of the
+    /// causes it is. Power unit, drive function and activation function are locked. The brakes are applied
     /// unless the release override is active. (6.5.2.3)
     ///
-    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
-    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
-    /// applied unless the release override is active. (6.5.2.4)
+    /// *Ready to switch on* `x01x 0001`: The drive waits for the command Switch on. Power unit and drive
+    /// function are locked; the activation function is enabled. The brakes are applied unless the release
+    /// override is active. (6.5.2.4)
     ///
-    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
-    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
-    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    /// *Switched on* `x01x 0011`: The power unit is on, without torque or force. The power unit is on. The
+    /// drive function is locked; set values are not processed. There is no torque or force. The brakes stay
+    /// applied unless the release override is active. (6.5.2.5)
     ///
-    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
-    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
-    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
-    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    /// *Operation enabled* `x01x 0111`: The drive follows its set values. The power unit is on. The drive
+    /// function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first
+    /// motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the
+    /// brakes. (6.5.2.6)
     ///
-    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
-    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
-    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    /// *Quick stop active* `x00x 0111`: The drive makes a quick stop. The power unit is on and the drive
+    /// function is enabled. The brakes are released, or stay so. No motion command is carried out.
+    /// (6.5.2.7, 6.8)
     ///
-    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
-    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
-    /// applied depends on the reaction. (6.5.2.8)
+    /// *Fault reaction active* `x0xx 1111`: The drive has found a fault and reacts as that fault asks.
+    /// Whether the brakes are applied depends on the reaction. (6.5.2.8)
     ///
-    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
-    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
-    /// activation function are locked. The brakes are applied unless the release override is active. No
-    /// motion command is carried out. (6.5.2.9, 6.8)
+    /// *Fault* `x0xx 1000`: The drive has found a fault, and the reaction is over. Power unit, drive
+    /// function and activation function are locked. The brakes are applied unless the release override is
+    /// active. No motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -14454,52 +14824,56 @@ pub mod double_hires {
     pub const fn state_text(state: State) -> &'static str {
         match state {
             State::NotReadyToSwitchOn =>
-                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+                "The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
             State::SwitchOnDisabled =>
-                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+                "Start and self-test have ended well. E47 and E49 tell which of the causes it is. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
             State::ReadyToSwitchOn =>
-                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+                "The drive waits for the command Switch on. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
             State::SwitchedOn =>
-                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+                "The power unit is on, without torque or force. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
             State::OperationEnabled =>
-                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+                "The drive follows its set values. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
             State::QuickStopActive =>
-                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+                "The drive makes a quick stop. The power unit is on and the drive function is enabled. The brakes are released, or stay so. No motion command is carried out.",
             State::FaultReactionActive =>
-                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+                "The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
             State::Fault =>
-                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+                "The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
         }
     }
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    /// *0*: The drive gets its supply, or is restarted.
     ///
-    /// *1*: The drive has started; communication is possible.
+    /// *1*: The drive does this by itself.
     ///
-    /// *3*: The power stage gets its supply.
+    /// *2*: The activation function is enabled.
     ///
-    /// *4*: The drive function starts; set values from before are cleared.
+    /// *3*: The power unit is switched on.
     ///
-    /// *5*: The drive function ends.
+    /// *4*: The drive function is enabled; set values are processed from now on.
     ///
-    /// *6*: The supply of the power stage may be switched off.
+    /// *5*: The drive function is locked; the power unit stays on.
     ///
-    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    /// *6*: The power unit is locked.
     ///
-    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    /// *7*: The activation function is locked.
     ///
-    /// *10*: The supply of the power stage may be switched off.
+    /// *8*: Drive function and power unit are locked.
+    ///
+    /// *9*: Drive function, power unit and activation function are locked.
+    ///
+    /// *10*: Power unit and activation function are locked.
     ///
     /// *11*: The quick stop begins.
     ///
-    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    /// *12*: The quick stop is over, or cut short: drive function, power unit and activation function are
+    /// locked.
     ///
-    /// *13*: The fault reaction begins.
+    /// *13*: The reaction to the fault begins.
     ///
-    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
-    /// switched off.
+    /// *14*: The reaction is over; power unit, drive function and activation function are locked.
     ///
     /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
@@ -14545,9 +14919,10 @@ pub mod double_hires {
 
         /// Shutdown. `0xxx x110`
         ///
-        /// Makes the drive ready to switch on, or brings it back to that.
+        /// Sets bits 2 and 1 in Switch on disabled, which withdraws the request for a quick stop; clears bit 0
+        /// in Switched on and Operation enabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const SHUTDOWN: Command = Command {
             name: "shutdown",
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
@@ -14558,9 +14933,9 @@ pub mod double_hires {
 
         /// Switch on. `0xxx 0111`
         ///
-        /// Switches the power stage on.
+        /// Sets bit 0.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.4, Tab. 5.
         pub const SWITCH_ON: Command = Command {
             name: "switch on",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -14571,9 +14946,9 @@ pub mod double_hires {
 
         /// Disable voltage. `0xxx xx0x`
         ///
-        /// Takes the power away.
+        /// One of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const DISABLE_VOLTAGE: Command = Command {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
@@ -14584,10 +14959,10 @@ pub mod double_hires {
 
         /// Quick stop. `0xxx x01x`
         ///
-        /// Stops the drive. With a load that hangs and a brake, always the way to switch off: the load is held
-        /// until the brake is.
+        /// Clears bit 2. The way to switch off an axis with a load that hangs and a brake: the load is held
+        /// until the brake is applied. Also one of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.1, 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const QUICK_STOP: Command = Command {
             name: "quick stop",
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
@@ -14598,9 +14973,9 @@ pub mod double_hires {
 
         /// Disable operation. `0xxx 0111`
         ///
-        /// Takes the torque away; the power unit stays on.
+        /// Clears bit 3. In Switched on, the power unit stays on, without torque or force.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const DISABLE_OPERATION: Command = Command {
             name: "disable operation",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -14611,9 +14986,9 @@ pub mod double_hires {
 
         /// Enable operation. `0xxx 1111`
         ///
-        /// Makes the drive follow its set values.
+        /// Sets bit 3.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, Tab. 5.
         pub const ENABLE_OPERATION: Command = Command {
             name: "enable operation",
             pattern: Pattern { mask: 0x008F, value: 0x000F },
@@ -14624,9 +14999,9 @@ pub mod double_hires {
 
         /// Fault reset. `rxxx xxxx`
         ///
-        /// Leaves the state fault if its cause is gone.
+        /// Acknowledges the fault, once its cause is remedied.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.9, Tab. 5.
         pub const FAULT_RESET: Command = Command {
             name: "fault reset",
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
@@ -14648,109 +15023,140 @@ pub mod double_hires {
     pub enum ModeOfOperation {
         /// Jog.
         ///
-        /// The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with
-        /// acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no
-        /// motion command.
+        /// The vendor's own, not for production, and offered with the controller-based and the drive-based
+        /// modes. The axis is moved by hand, through the jog control panel or by a controller, for
+        /// commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration
+        /// I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.
+        /// With velocity control the drive makes a quick stop at a software limit switch and stops beyond it;
+        /// with position control it stops shortly before.
         ///
         /// Caution:
         ///
-        /// - With velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active: only for axes without such a load.
-        /// - With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.
+        /// - DANGER, risk of fatal injury: with velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active. Only for axes without such a load.
         ///
-        /// Source: 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 21; these are the values that the text names, and
+        /// what the profile has for the mode.
         Jog = -1,
         /// No mode.
-        ///
-        /// As a request, the mode stays what it is; as a display, no mode is active.
         ///
         /// Source: 6.8, Tab. 28.
         NoMode = 0,
         /// Profile position mode.
         ///
-        /// The controller gives a target position; the drive makes the profile, with the velocity override
-        /// A340, and controls position.
+        /// Drive-based. The controller gives a target position; the drive makes the profile out of velocity,
+        /// acceleration, deceleration and jerk, with the velocity override A340, and controls position.
         ///
         /// Source: 6.6.5, Tab. 15, Tab. 16, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 16; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pp = 1,
         /// Velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and
-        /// controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and
+        /// deceleration, with the velocity override A340, and controls velocity.
         ///
         /// The process data carry its target velocity, which the standard mapping does not.
         ///
         /// Source: 6.6.6, Tab. 17, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
+        /// what the profile has for the mode.
         Vl = 2,
         /// Profile velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the profile, with the velocity override A340,
-        /// and controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration,
+        /// deceleration and jerk, with the velocity override A340, and controls velocity.
         ///
         /// Source: 6.6.7, Tab. 22, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 18; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pv = 3,
         /// Profile torque mode.
         ///
-        /// The controller gives a set torque or force; the drive makes the profile and controls torque. Its
-        /// short name in the manual is pt.
+        /// Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to
+        /// the velocity control, as printed, and controls torque. Its short name in the manual is pt.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.8, Tab. 23, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 19; these are the values that the text names, and
+        /// what the profile has for the mode.
         Tq = 4,
         /// Homing mode.
         ///
-        /// The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves.
-        /// On the way, software limit switches and hardware limit switches do not act as such; a hardware
-        /// switch ahead turns the axis round, one behind is a fault.
+        /// Offered with the controller-based and the drive-based modes. The drive finds its reference by
+        /// itself, in the way of A586. Only then can it make absolute moves. On the way, software limit
+        /// switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis
+        /// round, one behind is a fault.
         ///
         /// Caution:
         ///
-        /// - With a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
-        /// - If the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
+        /// - Information: with a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
+        /// - Information: if the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
         ///
-        /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+        /// what the profile has for the mode.
         Hm = 6,
         /// Interpolated position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The process data carry its set position, which the standard mapping does not.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.1, 6.9, 6.10, Tab. 6, Tab. 7, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 12; these are the values that the text names, and
+        /// what the profile has for the mode.
         Ip = 7,
         /// Cyclic synchronous position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.2, 6.9, 6.10, Tab. 12, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 13; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
-        /// The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No
-        /// ramps, no jerk limit.
+        /// Controller-based. The controller sends a set velocity every cycle; the drive interpolates and
+        /// controls velocity. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.3, 6.10, Tab. 13, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 14; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
-        /// The controller sends a set torque or force every cycle; the drive interpolates and controls torque.
-        /// No ramps, no jerk limit, but a velocity limit.
+        /// Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and
+        /// controls torque. No ramps, no jerk limit, but a velocity limit.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.4, Tab. 14, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 15; these are the values that the text names, and
+        /// what the profile has for the mode.
         Cst = 10,
     }
 
@@ -14759,26 +15165,26 @@ pub mod double_hires {
         pub const fn text(self) -> &'static str {
             match self {
                 Self::Jog =>
-                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
-                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                    "The vendor's own, not for production, and offered with the controller-based and the drive-based modes. The axis is moved by hand, through the jog control panel or by a controller, for commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command. With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.",
+                Self::NoMode => "",
                 Self::Pp =>
-                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                    "Drive-based. The controller gives a target position; the drive makes the profile out of velocity, acceleration, deceleration and jerk, with the velocity override A340, and controls position.",
                 Self::Vl =>
-                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and deceleration, with the velocity override A340, and controls velocity.",
                 Self::Pv =>
-                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration, deceleration and jerk, with the velocity override A340, and controls velocity.",
                 Self::Tq =>
-                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                    "Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to the velocity control, as printed, and controls torque. Its short name in the manual is pt.",
                 Self::Hm =>
-                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                    "Offered with the controller-based and the drive-based modes. The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
                 Self::Ip =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csp =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csv =>
-                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
                 Self::Cst =>
-                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+                    "Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
             }
         }
     }
@@ -14861,11 +15267,19 @@ pub mod double_hires {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    ///
+    /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+    /// what the profile has for the mode.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
+    ///
+    /// No motion command is carried out in Fault and Quick stop active. Any motion command but MC\_Stop can
+    /// be overwritten while it runs.
+    ///
+    /// Source: 6.8.
     pub const MACHINE: Machine = Machine {
         states: STATES,
         commands: commands::ALL,
@@ -14969,7 +15383,7 @@ pub mod double_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -14993,7 +15407,7 @@ pub mod double_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -15017,7 +15431,7 @@ pub mod double_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -15050,7 +15464,7 @@ pub mod double_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -15058,7 +15472,7 @@ pub mod double_hires {
         ///
         /// Between the negative limit switch and the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the negative limit switch turns round and goes on to the reference switch.
         /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
         /// 4. There, the actual position becomes A569.
@@ -15091,7 +15505,7 @@ pub mod double_hires {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
@@ -15102,7 +15516,7 @@ pub mod double_hires {
         ///
         /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
-        /// 3. On leaving it, the actual position becomes A569.
+        /// 3. On reaching the reference switch, the actual position becomes A569.
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
@@ -15156,8 +15570,8 @@ pub mod double_hires {
         ///
         /// On the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
-        /// 2. Turns round and goes on with A587\[0\].
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\] until it has left the switch.
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
         /// 4. On reaching it, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -15302,7 +15716,7 @@ pub mod double_hires {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 5,
@@ -15310,7 +15724,7 @@ pub mod double_hires {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "negatively positioned reference switch",
-                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 7,
@@ -15318,7 +15732,7 @@ pub mod double_hires {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 11,
@@ -15326,7 +15740,7 @@ pub mod double_hires {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 17,
@@ -15350,7 +15764,7 @@ pub mod double_hires {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On reaching the reference switch, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 21,
@@ -15366,7 +15780,7 @@ pub mod double_hires {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0] until it has left the switch. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 27,
@@ -15488,6 +15902,20 @@ pub mod double_hires {
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
             pub sm_input_parameter: SmInputParameter,
+            /// `0x60A4` Profile jerk.
+            ///
+            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            pub profile_jerk_a: [u32; 1],
+            /// `0x60C1` Interpolation data record.
+            pub interpolation_data_record_a: InterpolationDataRecordA,
+            /// `0x68A4` Profile jerk.
+            ///
+            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            pub profile_jerk_b: [u32; 1],
+            /// `0x68C1` Interpolation data record.
+            ///
+            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub interpolation_data_record_b: [i32; 1],
             /// What each axis has, in order.
             pub axes: [AxisDictionary; 2],
         }
@@ -15535,6 +15963,10 @@ pub mod double_hires {
                     cycle_time_too_small: 0,
                     sync_error: false,
                 },
+                profile_jerk_a: [0; 1],
+                interpolation_data_record_a: InterpolationDataRecordA { _1st_set_point: 0 },
+                profile_jerk_b: [0; 1],
+                interpolation_data_record_b: [0; 1],
                 axes: [AxisDictionary::DEFAULT; 2],
             };
         }
@@ -15586,9 +16018,9 @@ pub mod double_hires {
             /// - `02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
             pub vl_dimension_factor: [i32; 2],
             /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO.
-            pub quick_stop_option_code: QuickStopOptionCode,
+            pub quick_stop_option_code: i16,
             /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO.
-            pub fault_reaction_option_code: FaultReactionOptionCode,
+            pub fault_reaction_option_code: i16,
             /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8.
             pub modes_of_operation: i8,
             /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
@@ -15616,17 +16048,11 @@ pub mod double_hires {
             /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             pub target_position: i32,
             /// `0x607B` Position range limit.
-            ///
-            /// - `01` Min position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            /// - `02` Max position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub position_range_limit: [i32; 2],
+            pub position_range_limit: PositionRangeLimit,
             /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             pub home_offset: i32,
             /// `0x607D` Software position limit.
-            ///
-            /// - `01` Min position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            /// - `02` Max position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub software_position_limit: [i32; 2],
+            pub software_position_limit: SoftwarePositionLimit,
             /// `0x607E:00` Polarity. UINT8, rw, RxPDO.
             pub polarity: Polarity,
             /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
@@ -15642,30 +16068,17 @@ pub mod double_hires {
             /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO.
             pub torque_slope: u32,
             /// `0x6091` Gear ratio.
-            ///
-            /// - `01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub gear_ratio: [u32; 2],
+            pub gear_ratio: GearRatio,
             /// `0x6092` Feed constant.
-            ///
-            /// - `01` Feed. UINT32, rw, RxPDO and TxPDO.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub feed_constant: [u32; 2],
+            pub feed_constant: FeedConstant,
             /// `0x6098:00` Homing method. INT8, rw.
             pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
-            ///
-            /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            /// - `02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub homing_speeds: [u32; 2],
+            pub homing_speeds: HomingSpeeds,
             /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311.
             pub homing_acceleration: u32,
             /// `0x60A3:00` Profile jerk use. UINT8, rw.
             pub profile_jerk_use: u8,
-            /// `0x60A4` Profile jerk.
-            ///
-            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
             pub velocity_offset: i32,
             /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO.
@@ -15683,11 +16096,7 @@ pub mod double_hires {
             /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in user unit / 10^I06.
             pub touch_probe_2_negative_edge: i32,
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
-            pub interpolation_sub_mode_select: InterpolationSubModeSelect,
-            /// `0x60C1` Interpolation data record.
-            ///
-            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub interpolation_data_record: [i32; 1],
+            pub interpolation_sub_mode_select: i16,
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -15702,32 +16111,9 @@ pub mod double_hires {
             /// - `02` Touch probe 2 source. INT16, rw.
             pub touch_probe_source: [i16; 2],
             /// `0x60E3` Supported homing methods.
-            ///
-            /// - `01` 1st supported homing method. INT8, ro.
-            /// - `02` 2nd supported homing method. INT8, ro.
-            /// - `03` 3rd supported homing method. INT8, ro.
-            /// - `04` 4th supported homing method. INT8, ro.
-            /// - `05` 5th supported homing method. INT8, ro.
-            /// - `06` 6th supported homing method. INT8, ro.
-            /// - `07` 7th supported homing method. INT8, ro.
-            /// - `08` 8th supported homing method. INT8, ro.
-            /// - `09` 9th supported homing method. INT8, ro.
-            /// - `0A` 10th supported homing method. INT8, ro.
-            /// - `0B` 11th supported homing method. INT8, ro.
-            /// - `0C` 12th supported homing method. INT8, ro.
-            /// - `0D` 13th supported homing method. INT8, ro.
-            /// - `0E` 14th supported homing method. INT8, ro.
-            /// - `0F` 15th supported homing method. INT8, ro.
-            /// - `10` 16th supported homing method. INT8, ro.
-            /// - `11` 17th supported homing method. INT8, ro.
-            /// - `12` 18th supported homing method. INT8, ro.
-            /// - `13` 19th supported homing method. INT8, ro.
-            /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [HomingMethod; 20],
+            pub supported_homing_methods: SupportedHomingMethods,
             /// `0x60E4` Additional position actual value / 1st value.
-            ///
-            /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
-            pub additional_position_actual_value: [i32; 1],
+            pub additional_position_actual_value: AdditionalPositionActualValue,
             /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO.
             pub positioning_option_code: PositioningOptionCode,
             /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06.
@@ -15761,8 +16147,8 @@ pub mod double_hires {
                 vl_velocity_quick_stop: VlVelocityQuickStop { delta_speed: 0, delta_time: 0 },
                 vl_set_point_factor: [0; 2],
                 vl_dimension_factor: [0; 2],
-                quick_stop_option_code: QuickStopOptionCode(0),
-                fault_reaction_option_code: FaultReactionOptionCode(0),
+                quick_stop_option_code: 0,
+                fault_reaction_option_code: 0,
                 modes_of_operation: 8,
                 modes_of_operation_display: 0,
                 position_actual_value: 0,
@@ -15776,9 +16162,15 @@ pub mod double_hires {
                 current_actual_value: 0,
                 dc_link_circuit_voltage: 0,
                 target_position: 0,
-                position_range_limit: [0; 2],
+                position_range_limit: PositionRangeLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 home_offset: 0,
-                software_position_limit: [0; 2],
+                software_position_limit: SoftwarePositionLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 polarity: Polarity(0),
                 max_profile_velocity: 0,
                 profile_velocity: 0,
@@ -15786,13 +16178,15 @@ pub mod double_hires {
                 profile_deceleration: 0,
                 quick_stop_deceleration: 0,
                 torque_slope: 0,
-                gear_ratio: [0; 2],
-                feed_constant: [0; 2],
+                gear_ratio: GearRatio { motor_revolutions: 0, shaft_revolutions: 0 },
+                feed_constant: FeedConstant { feed: 0, shaft_revolutions: 0 },
                 homing_method: HomingMethod(0),
-                homing_speeds: [0; 2],
+                homing_speeds: HomingSpeeds {
+                    speed_during_search_for_switch: 0,
+                    speed_during_search_for_zero: 0,
+                },
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
-                profile_jerk: [0; 1],
                 velocity_offset: 0,
                 torque_offset: 0,
                 touch_probe_function: TouchProbeFunction(0),
@@ -15801,8 +16195,7 @@ pub mod double_hires {
                 touch_probe_1_negative_edge: 0,
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
-                interpolation_sub_mode_select: InterpolationSubModeSelect(0),
-                interpolation_data_record: [0; 1],
+                interpolation_sub_mode_select: 0,
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -15810,16 +16203,39 @@ pub mod double_hires {
                 interpolation_data_configuration: InterpolationDataConfiguration {
                     maximum_buffer_size: 0,
                     actual_buffer_size: 0,
-                    buffer_organisation: BufferOrganisation(0),
+                    buffer_organisation: 0,
                     buffer_position: 0,
                     size_of_data_record: 0,
-                    buffer_clear: BufferClear(0),
+                    buffer_clear: 0,
                 },
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [HomingMethod(0); 20],
-                additional_position_actual_value: [0; 1],
+                supported_homing_methods: SupportedHomingMethods {
+                    _1st_supported_homing_method: HomingMethod(0),
+                    _2nd_supported_homing_method: HomingMethod(0),
+                    _3rd_supported_homing_method: HomingMethod(0),
+                    _4th_supported_homing_method: HomingMethod(0),
+                    _5th_supported_homing_method: HomingMethod(0),
+                    _6th_supported_homing_method: HomingMethod(0),
+                    _7th_supported_homing_method: HomingMethod(0),
+                    _8th_supported_homing_method: HomingMethod(0),
+                    _9th_supported_homing_method: HomingMethod(0),
+                    _10th_supported_homing_method: HomingMethod(0),
+                    _11th_supported_homing_method: HomingMethod(0),
+                    _12th_supported_homing_method: HomingMethod(0),
+                    _13th_supported_homing_method: HomingMethod(0),
+                    _14th_supported_homing_method: HomingMethod(0),
+                    _15th_supported_homing_method: HomingMethod(0),
+                    _16th_supported_homing_method: HomingMethod(0),
+                    _17th_supported_homing_method: HomingMethod(0),
+                    _18th_supported_homing_method: HomingMethod(0),
+                    _19th_supported_homing_method: HomingMethod(0),
+                    _20th_supported_homing_method: HomingMethod(0),
+                },
+                additional_position_actual_value: AdditionalPositionActualValue {
+                    _1st_additional_position_actual_value: 0,
+                },
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
                 digital_inputs: DigitalInputs(0),
@@ -15910,31 +16326,83 @@ pub mod double_hires {
             pub sync_error: bool,
         }
 
+        /// `0x60C1` Interpolation data record.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct InterpolationDataRecordA {
+            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub _1st_set_point: i32,
+        }
+
         /// `0x6048` Vl velocity acceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityAcceleration {
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x6049` Vl velocity deceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityDeceleration {
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x604A` Vl velocity quick stop.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityQuickStop {
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
+        }
+
+        /// `0x607B` Position range limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct PositionRangeLimit {
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub min_position_range_limit: i32,
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x607D` Software position limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SoftwarePositionLimit {
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub min_position_range_limit: i32,
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x6091` Gear ratio.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct GearRatio {
+            /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub motor_revolutions: u32,
+            /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6092` Feed constant.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct FeedConstant {
+            /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO.
+            pub feed: u32,
+            /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6099` Homing speeds.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct HomingSpeeds {
+            /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
+            pub speed_during_search_for_switch: u32,
+            /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
+            pub speed_during_search_for_zero: u32,
         }
 
         /// `0x60C2` Interpolation time period.
@@ -15954,19 +16422,72 @@ pub mod double_hires {
             /// `0x60C4:02` Actual buffer size. UINT32, rw.
             pub actual_buffer_size: u32,
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
-            pub buffer_organisation: BufferOrganisation,
+            pub buffer_organisation: u8,
             /// `0x60C4:04` Buffer position. UINT16, rw.
             pub buffer_position: u16,
             /// `0x60C4:05` Size of data record. UINT8, wo.
             pub size_of_data_record: u8,
             /// `0x60C4:06` Buffer clear. UINT8, wo.
-            pub buffer_clear: BufferClear,
+            pub buffer_clear: u8,
+        }
+
+        /// `0x60E3` Supported homing methods.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SupportedHomingMethods {
+            /// `0x60E3:01` 1st supported homing method. INT8, ro.
+            pub _1st_supported_homing_method: HomingMethod,
+            /// `0x60E3:02` 2nd supported homing method. INT8, ro.
+            pub _2nd_supported_homing_method: HomingMethod,
+            /// `0x60E3:03` 3rd supported homing method. INT8, ro.
+            pub _3rd_supported_homing_method: HomingMethod,
+            /// `0x60E3:04` 4th supported homing method. INT8, ro.
+            pub _4th_supported_homing_method: HomingMethod,
+            /// `0x60E3:05` 5th supported homing method. INT8, ro.
+            pub _5th_supported_homing_method: HomingMethod,
+            /// `0x60E3:06` 6th supported homing method. INT8, ro.
+            pub _6th_supported_homing_method: HomingMethod,
+            /// `0x60E3:07` 7th supported homing method. INT8, ro.
+            pub _7th_supported_homing_method: HomingMethod,
+            /// `0x60E3:08` 8th supported homing method. INT8, ro.
+            pub _8th_supported_homing_method: HomingMethod,
+            /// `0x60E3:09` 9th supported homing method. INT8, ro.
+            pub _9th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0A` 10th supported homing method. INT8, ro.
+            pub _10th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0B` 11th supported homing method. INT8, ro.
+            pub _11th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0C` 12th supported homing method. INT8, ro.
+            pub _12th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0D` 13th supported homing method. INT8, ro.
+            pub _13th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0E` 14th supported homing method. INT8, ro.
+            pub _14th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0F` 15th supported homing method. INT8, ro.
+            pub _15th_supported_homing_method: HomingMethod,
+            /// `0x60E3:10` 16th supported homing method. INT8, ro.
+            pub _16th_supported_homing_method: HomingMethod,
+            /// `0x60E3:11` 17th supported homing method. INT8, ro.
+            pub _17th_supported_homing_method: HomingMethod,
+            /// `0x60E3:12` 18th supported homing method. INT8, ro.
+            pub _18th_supported_homing_method: HomingMethod,
+            /// `0x60E3:13` 19th supported homing method. INT8, ro.
+            pub _19th_supported_homing_method: HomingMethod,
+            /// `0x60E3:14` 20th supported homing method. INT8, ro.
+            pub _20th_supported_homing_method: HomingMethod,
+        }
+
+        /// `0x60E4` Additional position actual value / 1st value.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct AdditionalPositionActualValue {
+            /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
+            pub _1st_additional_position_actual_value: i32,
         }
 
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
+                let item = usize::from(place.item);
                 match place.field {
                     0 => Some(sdo::Slot::U32(&mut self.device_type)),
                     1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
@@ -15975,6 +16496,10 @@ pub mod double_hires {
                     4 => self.identity_object.slot(place.item),
                     5 => self.sm_output_parameter.slot(place.item),
                     6 => self.sm_input_parameter.slot(place.item),
+                    7 => self.profile_jerk_a.get_mut(item).map(sdo::Slot::U32),
+                    8 => self.interpolation_data_record_a.slot(place.item),
+                    9 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
+                    10 => self.interpolation_data_record_b.get_mut(item).map(sdo::Slot::I32),
                     _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
                 }
             }
@@ -15984,75 +16509,73 @@ pub mod double_hires {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
-                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    12 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    13 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    14 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    15 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    17 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    18 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    19 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    20 => self.vl_velocity_acceleration.slot(place.item),
+                    21 => self.vl_velocity_deceleration.slot(place.item),
+                    22 => self.vl_velocity_quick_stop.slot(place.item),
+                    23 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    24 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    25 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    26 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    27 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    28 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    29 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    30 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    31 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    32 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    34 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    35 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    36 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    37 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    38 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    39 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    40 => self.position_range_limit.slot(place.item),
+                    41 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    42 => self.software_position_limit.slot(place.item),
+                    43 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    44 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    46 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    48 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    49 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    50 => self.gear_ratio.slot(place.item),
+                    51 => self.feed_constant.slot(place.item),
+                    52 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    53 => self.homing_speeds.slot(place.item),
+                    54 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    55 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    56 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    57 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    59 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    63 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    64 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    65 => self.interpolation_time_period.slot(place.item),
+                    66 => self.interpolation_data_configuration.slot(place.item),
+                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    70 => self.supported_homing_methods.slot(place.item),
+                    71 => self.additional_position_actual_value.slot(place.item),
+                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -16112,6 +16635,15 @@ pub mod double_hires {
             }
         }
 
+        impl InterpolationDataRecordA {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
+                    _ => None,
+                }
+            }
+        }
+
         impl VlVelocityAcceleration {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -16142,6 +16674,56 @@ pub mod double_hires {
             }
         }
 
+        impl PositionRangeLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SoftwarePositionLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl GearRatio {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.motor_revolutions)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl FeedConstant {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.feed)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl HomingSpeeds {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
+                    1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
+                    _ => None,
+                }
+            }
+        }
+
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -16157,10 +16739,47 @@ pub mod double_hires {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
                     1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation)),
                     3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
                     4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SupportedHomingMethods {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I8(&mut self._1st_supported_homing_method.0)),
+                    1 => Some(sdo::Slot::I8(&mut self._2nd_supported_homing_method.0)),
+                    2 => Some(sdo::Slot::I8(&mut self._3rd_supported_homing_method.0)),
+                    3 => Some(sdo::Slot::I8(&mut self._4th_supported_homing_method.0)),
+                    4 => Some(sdo::Slot::I8(&mut self._5th_supported_homing_method.0)),
+                    5 => Some(sdo::Slot::I8(&mut self._6th_supported_homing_method.0)),
+                    6 => Some(sdo::Slot::I8(&mut self._7th_supported_homing_method.0)),
+                    7 => Some(sdo::Slot::I8(&mut self._8th_supported_homing_method.0)),
+                    8 => Some(sdo::Slot::I8(&mut self._9th_supported_homing_method.0)),
+                    9 => Some(sdo::Slot::I8(&mut self._10th_supported_homing_method.0)),
+                    10 => Some(sdo::Slot::I8(&mut self._11th_supported_homing_method.0)),
+                    11 => Some(sdo::Slot::I8(&mut self._12th_supported_homing_method.0)),
+                    12 => Some(sdo::Slot::I8(&mut self._13th_supported_homing_method.0)),
+                    13 => Some(sdo::Slot::I8(&mut self._14th_supported_homing_method.0)),
+                    14 => Some(sdo::Slot::I8(&mut self._15th_supported_homing_method.0)),
+                    15 => Some(sdo::Slot::I8(&mut self._16th_supported_homing_method.0)),
+                    16 => Some(sdo::Slot::I8(&mut self._17th_supported_homing_method.0)),
+                    17 => Some(sdo::Slot::I8(&mut self._18th_supported_homing_method.0)),
+                    18 => Some(sdo::Slot::I8(&mut self._19th_supported_homing_method.0)),
+                    19 => Some(sdo::Slot::I8(&mut self._20th_supported_homing_method.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl AdditionalPositionActualValue {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_additional_position_actual_value)),
                     _ => None,
                 }
             }
@@ -16178,7 +16797,7 @@ pub mod double_hires {
                 Page { axis: 0, ..PAGE_28 },
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_60 },
+                Page { axis: 1, ..PAGE_68 },
                 Page { axis: 1, ..PAGE_65 },
                 Page { axis: 1, ..PAGE_20 },
                 Page { axis: 1, ..PAGE_28 },
@@ -16369,7 +16988,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                7,
+                11,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16384,7 +17003,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                8,
+                12,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16406,35 +17025,35 @@ pub mod double_hires {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    10,
+                    14,
                     &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    12,
+                    16,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    15,
+                    19,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    16,
+                    20,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
@@ -16445,7 +17064,7 @@ pub mod double_hires {
                 object(
                     ObjectCode::Record,
                     0,
-                    17,
+                    21,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
@@ -16456,7 +17075,7 @@ pub mod double_hires {
                 object(
                     ObjectCode::Record,
                     0,
-                    18,
+                    22,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
@@ -16467,118 +17086,90 @@ pub mod double_hires {
                 object(
                     ObjectCode::Array,
                     0,
-                    19,
+                    23,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    20,
+                    24,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    23,
+                    27,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    26,
+                    30,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    31,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    33,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    34,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    35,
+                    39,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
-                    0,
-                    36,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    38,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
                     41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -16594,80 +17185,108 @@ pub mod double_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
                     0,
                     46,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Variable,
                     0,
                     47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    48,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    49,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    50,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    49,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    53,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    50,
+                    54,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    52,
+                    7,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    53,
+                    56,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    57,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    58,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    62,
+                    8,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    63,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -16678,7 +17297,7 @@ pub mod double_hires {
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    66,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -16693,52 +17312,52 @@ pub mod double_hires {
                 object(
                     ObjectCode::Variable,
                     0,
-                    65,
+                    67,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    66,
+                    68,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    67,
+                    69,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    68,
+                    70,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    69,
+                    71,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    73,
+                    75,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    74,
+                    76,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -16751,7 +17370,362 @@ pub mod double_hires {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+        };
+
+        const SLOTS_68: [u8; 193] = positions(
+            0x3F,
+            &[
+                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
+                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
+                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
+                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
+                0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
+            ],
+        );
+
+        const PAGE_68: Page = Page {
+            first: 0x3F,
+            axis: 0,
+            slots: &SLOTS_68,
+            objects: &[
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    14,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    16,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    19,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    20,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    21,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    22,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    23,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    24,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    27,
+                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    30,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    31,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    33,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    34,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    40,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    41,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    42,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    44,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    45,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    46,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    48,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    49,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    50,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    53,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    54,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    9,
+                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    166,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    56,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    57,
+                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    58,
+                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    10,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    166,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    65,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
+                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    66,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
+                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
+                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
+                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
+                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
+                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
+                    ],
+                    167,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    67,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    68,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    69,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    70,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    168,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    71,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    166,
+                ),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    75,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    166,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    76,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+            ],
         };
     }
 }
@@ -16763,8 +17737,9 @@ pub mod single_hires {
     //! controller makes the path and modes in which the drive does. It is set up with the software
     //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
     //!
-    //! Each axis has its own state machine, modes and process data. Coordinates with the number of the
-    //! axis, 1.A515 or 2.A515, tell them apart; parameters of the whole device have none.
+    //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
+    //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
+    //! none.
     //!
     //! A source without a document is a place in the first of these, 1005347-en-US-02:
     //!
@@ -16803,8 +17778,6 @@ pub mod single_hires {
     ///
     /// Models: PMC SC6, PMC SI6.
     ///
-    /// Source: 5.3.2, 5.1.1.1.
-    ///
     /// Assumed, vendor-id: the id of Stöber, under whose name CODESYS lists these devices (5.3.2) and who
     /// makes the SC6 and SI6; whether they answer with an id of Pilz is not known.
     ///
@@ -16826,14 +17799,14 @@ pub mod single_hires {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: no source lists it; a servo drive after CiA 402.
         pub const DEVICE_TYPE: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1008:00` Manufacturer device name. STRING(80), ro.
         ///
         /// The name of the device.
         ///
@@ -16841,7 +17814,7 @@ pub mod single_hires {
         /// Tab. 2.
         pub const MANUFACTURER_DEVICE_NAME: Entry<SingleHires, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x1009:00` Manufacturer hardware version. STRING(80), ro.
         ///
         /// The version of the hardware.
         ///
@@ -16849,7 +17822,7 @@ pub mod single_hires {
         /// Tab. 2.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<SingleHires, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(80), ro (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x100A:00` Manufacturer software version. STRING(80), ro.
         ///
         /// The version of the firmware.
         ///
@@ -16860,8 +17833,6 @@ pub mod single_hires {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod identity_object {
             use super::*;
 
@@ -16993,8 +17964,6 @@ pub mod single_hires {
         }
 
         /// `0x1C12` Sync manager 2 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_2_pdo_assignment {
             use super::*;
 
@@ -17006,8 +17975,6 @@ pub mod single_hires {
         }
 
         /// `0x1C13` Sync manager 3 PDO assignment.
-        ///
-        /// Source: 5.1.3, 7.1.
         pub mod sync_manager_3_pdo_assignment {
             use super::*;
 
@@ -17021,8 +17988,6 @@ pub mod single_hires {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -17102,8 +18067,6 @@ pub mod single_hires {
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -17187,11 +18150,15 @@ pub mod single_hires {
         /// Sixteen bits, each with the source that A66 gives it.
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const STATUS_WORD_USER_DEFINED: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x2043, 0);
 
         /// `0x28C9:00` Status word 2. WORD, ro, TxPDO (7.1.2, Tab. 32, Tab. 33).
         ///
         /// Assumed, access: the manual gives none; it is sent.
+        ///
+        /// Assumed, pdo: no table of objects lists it; it is mapped for sending.
         pub const STATUS_WORD_2: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x28C9, 0);
 
         /// `0x603F:00` Error code. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -17199,19 +18166,22 @@ pub mod single_hires {
         /// The code of the last error that occurred in the drive.
         pub const ERROR_CODE: Entry<SingleHires, u16, ReadOnly, Tx> = Entry::new(0x603F, 0);
 
-        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6040:00` Control word. WORD, rw, RxPDO and TxPDO (6.5.2.1, 6.6, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Bits 0 to 3 and 7 make the commands of the device state machine; bits 4 to 6 belong to the mode.
         pub const CONTROLWORD: Entry<SingleHires, Controlword, ReadWrite, RxTx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. WORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6041:00` Statusword. WORD, ro, TxPDO (6.5, 6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Its bits show the state of the drive, and bits 10, 12 and 13 what the mode has come to.
         pub const STATUSWORD: Entry<SingleHires, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6042:00` Vl target velocity. INT16, rw, RxPDO and TxPDO (6.6.6, Tab. 17 to 19, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in velocity mode, before limits and ramps.
+        /// The set velocity of velocity mode, as bits 4 to 6 of the control word let it through.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const VL_TARGET_VELOCITY: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x6042, 0);
 
         /// `0x6043:00` Vl velocity demand. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -17219,9 +18189,11 @@ pub mod single_hires {
         /// The velocity that the ramps of velocity mode have arrived at; what the controller is given.
         pub const VL_VELOCITY_DEMAND: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6043, 0);
 
-        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6044:00` Vl velocity actual value. INT16, ro, TxPDO (Tab. 20, Tab. 21, Tab. 34, Tab. 35).
         ///
         /// The velocity of the motor or the load as velocity mode sees it.
+        ///
+        /// Assumed, type: printed as INT, which the table of types does not have; its 2 bytes make it INT16.
         pub const VL_VELOCITY_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6044, 0);
 
         /// `0x6046` Vl velocity min max amount.
@@ -17255,10 +18227,10 @@ pub mod single_hires {
             /// `0x6048:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6048, 0);
 
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6048, 1);
 
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6048, 2);
         }
 
@@ -17273,10 +18245,10 @@ pub mod single_hires {
             /// `0x6049:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x6049, 0);
 
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6049, 1);
 
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6049, 2);
         }
 
@@ -17291,10 +18263,10 @@ pub mod single_hires {
             /// `0x604A:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x604A, 0);
 
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub const DELTA_SPEED: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x604A, 1);
 
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub const DELTA_TIME: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x604A, 2);
         }
 
@@ -17338,39 +18310,40 @@ pub mod single_hires {
                 Entry::new(0x604C, 2);
         }
 
-        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO (6.5.2.7, Tab. 34, Tab. 35).
         ///
-        /// How the drive stops on the command quick stop, and where it goes from there.
-        pub const QUICK_STOP_OPTION_CODE: Entry<SingleHires, QuickStopOptionCode, ReadWrite, Rx> =
-            Entry::new(0x605A, 0);
+        /// Its values are not given. After a quick stop, the drive always goes to Switch on disabled.
+        pub const QUICK_STOP_OPTION_CODE: Entry<SingleHires, i16, ReadWrite, Rx> = Entry::new(0x605A, 0);
 
-        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO (6.5.2.8, Tab. 34, Tab. 35).
         ///
-        /// What the drive does when a fault is found.
-        pub const FAULT_REACTION_OPTION_CODE: Entry<SingleHires, FaultReactionOptionCode, ReadWrite, Rx> =
-            Entry::new(0x605E, 0);
+        /// Its values are not given. The reaction depends on the fault.
+        pub const FAULT_REACTION_OPTION_CODE: Entry<SingleHires, i16, ReadWrite, Rx> = Entry::new(0x605E, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, Tab. 34).
+        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8 (5.2.12, 6.6, Tab. 30, Tab. 31,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is asked for; 0x6061 tells when it is active.
+        /// Selects the mode of operation by its number; 0x6061 shows the one that is active.
         pub const MODES_OF_OPERATION: Entry<SingleHires, i8, ReadWrite, RxTx> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (6.6, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The mode of operation that is active.
+        /// The number of the mode of operation that is active.
         pub const MODES_OF_OPERATION_DISPLAY: Entry<SingleHires, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
 
-        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34; 7.2.2,
-        /// Tab. 35).
+        /// `0x6064:00` Position actual value. INT32, ro, TxPDO, in user unit / 10^I06 (6.4.3.1, Tab. 32, Tab.
+        /// 33, Tab. 34, Tab. 35).
         ///
-        /// The measured position, in position units.
+        /// The actual position. If the controller keeps the reference (I46 = 5), it is the absolute position of
+        /// the motor encoder.
         pub const POSITION_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
-        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab.
-        /// 34; 7.2.2, Tab. 35).
+        /// `0x6065:00` Following error window. UINT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (5.1.4.2.4,
+        /// Tab. 34, Tab. 35).
         ///
-        /// How far the actual position may be from the demanded one, to either side, before a following error
-        /// is counted; the largest value switches the supervision off.
+        /// The tolerance of the check for lag.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const FOLLOWING_ERROR_WINDOW: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6065, 0);
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -17379,13 +18352,13 @@ pub mod single_hires {
         /// error is reported.
         pub const FOLLOWING_ERROR_TIME_OUT: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6066, 0);
 
-        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in user unit/s / 10^A310 (6.7, Tab. 32, Tab.
+        /// 33, Tab. 34, Tab. 35).
         ///
-        /// The measured velocity, in velocity units.
+        /// The actual velocity. Below C40 the axis stands (I199 = 1).
         pub const VELOCITY_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// The torque wanted in the torque modes, in thousandths of the rated torque.
         pub const TARGET_TORQUE: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x6071, 0);
@@ -17401,7 +18374,7 @@ pub mod single_hires {
         /// to it.
         pub const MOTOR_RATED_TORQUE: Entry<SingleHires, u32, ReadWrite, Tx> = Entry::new(0x6076, 0);
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The torque of the motor at this moment, in thousandths of the rated torque.
         pub const TORQUE_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
@@ -17416,32 +18389,31 @@ pub mod single_hires {
         /// The voltage of the DC link, in millivolts.
         pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<SingleHires, u32, ReadOnly, Tx> = Entry::new(0x6079, 0);
 
-        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (6.6.2, 6.6.5, Tab.
+        /// 15, Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The position to move to: the end of a move in profile position mode, the next point of the path in
-        /// cyclic synchronous position mode.
+        /// The set position: where a move of profile position mode ends, absolute or as a distance, or the next
+        /// position of cyclic synchronous position mode.
         pub const TARGET_POSITION: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607A, 0);
 
         /// `0x607B` Position range limit.
         ///
-        /// The range of position values; at one end the count goes on from the other, as a rotary axis needs
-        /// it.
+        /// Its second value is the length of a revolution of an endless axis; the first does nothing.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod position_range_limit {
             use super::*;
 
             /// `0x607B:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x607B, 0);
 
-            /// `0x607B:01` Min position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             ///
             /// There for compatibility only, it does nothing.
             pub const MIN_POSITION_RANGE_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> =
                 Entry::new(0x607B, 1);
 
-            /// `0x607B:02` Max position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             ///
             /// Used as the length of a revolution, with an endless position range (I00 = 1), which only HiRes
             /// Motion has.
@@ -17449,38 +18421,41 @@ pub mod single_hires {
                 Entry::new(0x607B, 2);
         }
 
-        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34; 7.2.2,
+        /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (6.4.1.1, 6.4.2, Tab. 34,
         /// Tab. 35).
         ///
-        /// The distance from the home position found by homing to the zero of the position values.
+        /// The reference position, as the chapters on referencing call it: at the event that the homing method
+        /// waits for, it takes the place of the actual position I80.
         pub const HOME_OFFSET: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607C, 0);
 
         /// `0x607D` Software position limit.
         ///
-        /// The least and the greatest position that may be demanded or reached.
+        /// The lowest and the greatest permitted position.
         ///
         /// Checked once the axis is referenced, if its position range is limited (I00 = 0); not if both are
         /// equal, and not while referencing.
         ///
-        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34.
+        /// Source: 6.3.1.5, 6.3.1.6, Tab. 34, Tab. 35.
         pub mod software_position_limit {
             use super::*;
 
             /// `0x607D:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x607D, 0);
 
-            /// `0x607D:01` Min position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const MIN_POSITION_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607D, 1);
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub const MIN_POSITION_RANGE_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> =
+                Entry::new(0x607D, 1);
 
-            /// `0x607D:02` Max position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const MAX_POSITION_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x607D, 2);
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub const MAX_POSITION_RANGE_LIMIT: Entry<SingleHires, i32, ReadWrite, RxTx> =
+                Entry::new(0x607D, 2);
         }
 
-        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, Tab. 34).
+        /// `0x607E:00` Polarity. UINT8, rw, RxPDO (5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35).
         ///
-        /// Which set values and actual values are multiplied by -1.
+        /// The direction of the axis against that of the motor.
         ///
-        /// Only bit 7 has a function: it turns the direction of the axis against that of the motor.
+        /// Only bit 7 has a function.
         pub const POLARITY: Entry<SingleHires, Polarity, ReadWrite, Rx> = Entry::new(0x607E, 0);
 
         /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab.
@@ -17520,11 +18495,9 @@ pub mod single_hires {
 
         /// `0x6091` Gear ratio.
         ///
-        /// Revolutions of the motor for revolutions of the shaft behind the gear.
+        /// The gear ratio: revolutions of the motor for revolutions of the shaft. Set for HiRes Motion only.
         ///
-        /// Set for HiRes Motion only.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod gear_ratio {
             use super::*;
 
@@ -17540,12 +18513,10 @@ pub mod single_hires {
 
         /// `0x6092` Feed constant.
         ///
-        /// The way that the load goes, in position units, for revolutions of the shaft behind the gear.
+        /// The feed for revolutions of the shaft behind the gear. Stays at its preset with CiA 402, where the
+        /// controller scales; set to the feed of the axis with HiRes Motion.
         ///
-        /// Stays at its preset with CiA 402, where the controller scales; set to the feed of the axis with
-        /// HiRes Motion.
-        ///
-        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34.
+        /// Source: 5.1.4.2.2, 5.1.4.2.3, Tab. 34, Tab. 35.
         pub mod feed_constant {
             use super::*;
 
@@ -17559,16 +18530,17 @@ pub mod single_hires {
             pub const SHAFT_REVOLUTIONS: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6092, 2);
         }
 
-        /// `0x6098:00` Homing method. INT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6098:00` Homing method. INT8, rw (6.4.1, Tab. 34, Tab. 35).
         ///
-        /// How the home position is looked for; 0x60E3 lists the methods that the drive knows.
+        /// How the axis is referenced, by the number of the method.
         pub const HOMING_METHOD: Entry<SingleHires, HomingMethod, ReadWrite> = Entry::new(0x6098, 0);
 
         /// `0x6099` Homing speeds.
         ///
-        /// How fast the drive moves while it looks for the home position.
+        /// How fast the axis moves while it looks for its reference; which of the two holds when, the homing
+        /// method says.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.4.1.1, Tab. 34, Tab. 35.
         pub mod homing_speeds {
             use super::*;
 
@@ -17584,10 +18556,10 @@ pub mod single_hires {
                 Entry::new(0x6099, 2);
         }
 
-        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1, Tab.
-        /// 34; 7.2.2, Tab. 35).
+        /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (6.4.1.1,
+        /// Tab. 34, Tab. 35).
         ///
-        /// How the drive gets faster and slower while it looks for the home position.
+        /// Acceleration and deceleration of referencing.
         pub const HOMING_ACCELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x609A, 0);
 
         /// `0x60A3:00` Profile jerk use. UINT8, rw (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -17606,77 +18578,70 @@ pub mod single_hires {
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
-            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub const PROFILE_JERK_1: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x60A4, 1);
+            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<SingleHires, u32, ReadWrite, RxTx> =
+                Entry::new(0x60A4, 1);
         }
 
-        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (6.9.4.1, Tab. 30,
+        /// Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// Added to the target velocity in cyclic synchronous velocity mode; the velocity feed forward in
-        /// cyclic synchronous position mode.
+        /// With an external feedforward, the set velocity that the controller sends beside the set position.
         pub const VELOCITY_OFFSET: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x60B1, 0);
 
-        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
         /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
         /// cyclic modes. In thousandths of the rated torque.
         pub const TORQUE_OFFSET: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x60B2, 0);
 
-        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Switches the touch probes on and says which edges of which signal they look for.
+        /// Switches the two position measurements on and says which edges they look for.
         pub const TOUCH_PROBE_FUNCTION: Entry<SingleHires, TouchProbeFunction, ReadWrite, RxTx> =
             Entry::new(0x60B8, 0);
 
-        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60B9:00` Touch probe status. UINT16, ro, TxPDO (6.11, Tab. 34, Tab. 35).
         ///
-        /// Which touch probes are on, and which edges they have seen.
+        /// Which position measurements are on, and which edges they have met.
         pub const TOUCH_PROBE_STATUS: Entry<SingleHires, TouchProbeStatus, ReadOnly, Tx> =
             Entry::new(0x60B9, 0);
 
-        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BA:00` Touch probe position 1 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 1 has seen.
+        /// The position at the rising edge of signal 1. It stays when the measurement is switched off.
         pub const TOUCH_PROBE_1_POSITIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BA, 0);
 
-        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BB:00` Touch probe position 1 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 1 has seen.
+        /// The position at the falling edge of signal 1. It stays when the measurement is switched off.
         pub const TOUCH_PROBE_1_NEGATIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BB, 0);
 
-        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BC:00` Touch probe position 2 positive value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the rising edge that touch probe 2 has seen.
+        /// The position at the rising edge of signal 2; measurement 2 works as 1 does.
         pub const TOUCH_PROBE_2_POSITIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BC, 0);
 
-        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1,
-        /// Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in user unit / 10^I06 (6.11,
+        /// Tab. 34, Tab. 35).
         ///
-        /// The position at the falling edge that touch probe 2 has seen.
+        /// The position at the falling edge of signal 2; measurement 2 works as 1 does.
         pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BD, 0);
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
         ///
         /// The way of interpolating; negative values are the manufacturer's.
-        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<
-            SingleHires,
-            InterpolationSubModeSelect,
-            ReadWrite,
-            Rx,
-        > = Entry::new(0x60C0, 0);
+        pub const INTERPOLATION_SUB_MODE_SELECT: Entry<SingleHires, i16, ReadWrite, Rx> =
+            Entry::new(0x60C0, 0);
 
         /// `0x60C1` Interpolation data record.
         ///
-        /// The set-points between which interpolated position mode interpolates; what each of them holds
-        /// depends on the way of interpolating.
+        /// The set position of interpolated position mode: one value, not a set of them.
         ///
-        /// One set value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 34.
+        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
         pub mod interpolation_data_record {
             use super::*;
 
@@ -17689,12 +18654,9 @@ pub mod single_hires {
 
         /// `0x60C2` Interpolation time period.
         ///
-        /// The time from one set-point to the next, in the interpolated and in the cyclic modes: value ×
-        /// 10^index seconds.
+        /// The interval between set values. It goes to A291, which must be A150 or a multiple of it.
         ///
-        /// Goes to A291, which must be A150 or a multiple of it.
-        ///
-        /// Source: 6.10, Tab. 34.
+        /// Source: 6.10, Tab. 34, Tab. 35.
         pub mod interpolation_time_period {
             use super::*;
 
@@ -17740,8 +18702,7 @@ pub mod single_hires {
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
             ///
             /// There for compatibility only, it does nothing.
-            pub const BUFFER_ORGANISATION: Entry<SingleHires, BufferOrganisation, ReadWrite> =
-                Entry::new(0x60C4, 3);
+            pub const BUFFER_ORGANISATION: Entry<SingleHires, u8, ReadWrite> = Entry::new(0x60C4, 3);
 
             /// `0x60C4:04` Buffer position. UINT16, rw.
             ///
@@ -17760,7 +18721,7 @@ pub mod single_hires {
             /// `0x60C4:06` Buffer clear. UINT8, wo.
             ///
             /// There for compatibility only, it does nothing.
-            pub const BUFFER_CLEAR: Entry<SingleHires, BufferClear, WriteOnly> = Entry::new(0x60C4, 6);
+            pub const BUFFER_CLEAR: Entry<SingleHires, u8, WriteOnly> = Entry::new(0x60C4, 6);
         }
 
         /// `0x60C5:00` Max acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1, Tab.
@@ -17777,9 +18738,10 @@ pub mod single_hires {
 
         /// `0x60D0` Touch probe source.
         ///
-        /// The signal that triggers a touch probe if 0x60B8 leaves the choice to this object.
+        /// The sources of the signals 1 and 2, such as digital input DI1. Their values stand in a place that
+        /// the manual does not contain.
         ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
+        /// Source: 6.11, Tab. 34, Tab. 35.
         pub mod touch_probe_source {
             use super::*;
 
@@ -17889,7 +18851,7 @@ pub mod single_hires {
         ///
         /// The positions measured by further encoders, in position units.
         ///
-        /// Source: Tab. 32, Tab. 34.
+        /// Source: Tab. 32, Tab. 33, Tab. 34, Tab. 35.
         pub mod additional_position_actual_value {
             use super::*;
 
@@ -17901,20 +18863,21 @@ pub mod single_hires {
                 Entry::new(0x60E4, 1);
         }
 
-        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO (Tab. 15, Tab. 34, Tab. 35).
         ///
-        /// What relative moves are relative to, when a new set-point is taken, and which way a rotary axis
-        /// turns.
+        /// What a distance of profile position mode is counted from.
         pub const POSITIONING_OPTION_CODE: Entry<SingleHires, PositioningOptionCode, ReadWrite, Rx> =
             Entry::new(0x60F2, 0);
 
-        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06 (Tab. 32, Tab. 33,
+        /// Tab. 34, Tab. 35).
         ///
         /// The demanded position less the actual one, in position units.
+        ///
+        /// Assumed, unit: the manual gives none; a difference of positions.
         pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
-        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
         /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
         /// half.
@@ -17942,8 +18905,8 @@ pub mod single_hires {
                 Entry::new(0x60FE, 1);
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (7.2.1, Tab. 34;
-        /// 7.2.2, Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (Tab. 30, Tab. 31,
+        /// Tab. 34, Tab. 35).
         ///
         /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
         /// units.
@@ -17964,12 +18927,14 @@ pub mod single_hires {
     /// Bits 0 to 3 and 7 together make a command, bits 4 to 6 belong to the mode. Of bits 8 to 15 the
     /// manual says nothing.
     ///
-    /// Source: 6.5.2.1, 6.6.
+    /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.9, 6.6, Tab. 5.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
         /// Bit 0: switch on.
+        ///
+        /// Set to switch on; cleared to shut down.
         pub const fn switch_on(self) -> bool {
             self.0 & 1 << 0 != 0
         }
@@ -17981,6 +18946,8 @@ pub mod single_hires {
         }
 
         /// Bit 1: enable voltage.
+        ///
+        /// Set to shut down from Switch on disabled; 0 disables the voltage.
         pub const fn enable_voltage(self) -> bool {
             self.0 & 1 << 1 != 0
         }
@@ -17993,7 +18960,7 @@ pub mod single_hires {
 
         /// Bit 2: quick stop.
         ///
-        /// Asks for a quick stop while it is 0.
+        /// 0 asks for a quick stop; set, the request is withdrawn.
         pub const fn quick_stop(self) -> bool {
             self.0 & 1 << 2 != 0
         }
@@ -18005,6 +18972,8 @@ pub mod single_hires {
         }
 
         /// Bit 3: enable operation.
+        ///
+        /// Set to enable operation; cleared to disable it.
         pub const fn enable_operation(self) -> bool {
             self.0 & 1 << 3 != 0
         }
@@ -18017,7 +18986,7 @@ pub mod single_hires {
 
         /// Bit 7: fault reset.
         ///
-        /// On the rising edge: Leaves the state fault if its cause is gone.
+        /// On the rising edge: Acknowledges a fault whose cause is remedied.
         pub const fn fault_reset(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -18030,7 +18999,7 @@ pub mod single_hires {
 
         /// Bit 4 in mode -1 (jog): jog positive.
         ///
-        /// Moves in the positive direction; with bit 5 the drive stops.
+        /// Moves in the positive direction; going to 0, or with bit 5, the axis brakes to a standstill.
         pub const fn jog_jog_positive(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -18043,7 +19012,7 @@ pub mod single_hires {
 
         /// Bit 5 in mode -1 (jog): jog negative.
         ///
-        /// Moves in the negative direction; with bit 4 the drive stops.
+        /// Moves in the negative direction; going to 0, or with bit 4, the axis brakes to a standstill.
         pub const fn jog_jog_negative(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -18165,7 +19134,8 @@ pub mod single_hires {
 
     /// `0x6041` Statusword.
     ///
-    /// Shows the state of the device, which E48 shows, too.
+    /// Shows the state of the drive, which E48 shows, too. Bits 10, 12 and 13 take their signals from A925
+    /// to A928.
     ///
     /// Source: 6.5, 6.5.2, 6.6.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -18281,7 +19251,8 @@ pub mod single_hires {
 
         /// Bit 10 in mode 4 (tq): target reached.
         ///
-        /// The set torque or force is reached, by the torque window. From the source A925.
+        /// The set torque or force is reached: it differs from the actual one by more than the torque window,
+        /// as printed. From the source A925.
         pub const fn tq_target_reached(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -18349,14 +19320,20 @@ pub mod single_hires {
 
     /// `0x607E` Polarity.
     ///
-    /// Source: Tab. 34.
+    /// Source: 5.1.4.2.2, Tab. 34.
+    ///
+    /// Assumed, bits.6: the manual gives bit 7 only, without a name; its name, and that of bit 6, are the
+    /// profile's.
+    ///
+    /// Assumed, bits.7.about: the manual gives bit 7 only, without a name; its name, and that of bit 6, are
+    /// the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Polarity(pub u8);
 
     impl Polarity {
         /// Bit 7: position polarity.
         ///
-        /// Positions are multiplied by -1.
+        /// Turns the direction of the axis against that of the motor.
         pub const fn position_polarity(self) -> bool {
             self.0 & 1 << 7 != 0
         }
@@ -18377,17 +19354,29 @@ pub mod single_hires {
     ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.0: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.1.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others are
-    /// the profile's.
+    /// Assumed, bits.4: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     ///
-    /// Assumed, bits.9.about: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others
-    /// are the profile's.
+    /// Assumed, bits.5: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.12: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
+    ///
+    /// Assumed, bits.13: the manual describes bits 0, 1, 4 and 5, and their like from 8 on; the others, and
+    /// all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeFunction(pub u16);
 
@@ -18434,6 +19423,8 @@ pub mod single_hires {
         }
 
         /// Bit 4: touch probe 1 positive edge.
+        ///
+        /// The rising edge of the signal is measured; its position goes to 0x60BA.
         pub const fn touch_probe_1_positive_edge(self) -> bool {
             self.0 & 1 << 4 != 0
         }
@@ -18445,6 +19436,8 @@ pub mod single_hires {
         }
 
         /// Bit 5: touch probe 1 negative edge.
+        ///
+        /// The falling edge of the signal is measured; its position goes to 0x60BB.
         pub const fn touch_probe_1_negative_edge(self) -> bool {
             self.0 & 1 << 5 != 0
         }
@@ -18508,6 +19501,8 @@ pub mod single_hires {
         }
 
         /// Bit 12: touch probe 2 positive edge.
+        ///
+        /// As bit 4, with 0x60BC.
         pub const fn touch_probe_2_positive_edge(self) -> bool {
             self.0 & 1 << 12 != 0
         }
@@ -18519,6 +19514,8 @@ pub mod single_hires {
         }
 
         /// Bit 13: touch probe 2 negative edge.
+        ///
+        /// As bit 5, with 0x60BD.
         pub const fn touch_probe_2_negative_edge(self) -> bool {
             self.0 & 1 << 13 != 0
         }
@@ -18545,13 +19542,27 @@ pub mod single_hires {
 
     /// `0x60B9` Touch probe status.
     ///
+    /// All bits of a measurement are cleared when it is switched off.
+    ///
     /// Source: 6.11.
     ///
-    /// Assumed, bits.0: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.0: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.1: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.1: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     ///
-    /// Assumed, bits.2: the manual describes bits 0 to 2; the others are the profile's.
+    /// Assumed, bits.2: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.8: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.9: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
+    ///
+    /// Assumed, bits.10: the manual describes bits 0 to 2, and that measurement 2 works as 1 does; the
+    /// others, and all names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct TouchProbeStatus(pub u16);
 
@@ -18583,16 +19594,22 @@ pub mod single_hires {
         }
 
         /// Bit 8: touch probe 2 enabled.
+        ///
+        /// Answers bit 8 of 0x60B8.
         pub const fn touch_probe_2_enabled(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
         /// Bit 9: touch probe 2 positive edge stored.
+        ///
+        /// As bit 1.
         pub const fn touch_probe_2_positive_edge_stored(self) -> bool {
             self.0 & 1 << 9 != 0
         }
 
         /// Bit 10: touch probe 2 negative edge stored.
+        ///
+        /// As bit 2.
         pub const fn touch_probe_2_negative_edge_stored(self) -> bool {
             self.0 & 1 << 10 != 0
         }
@@ -18607,9 +19624,16 @@ pub mod single_hires {
 
     /// `0x60F2` Positioning option code.
     ///
+    /// With bit 6 of the control word at 1, bits 0 and 1 choose between the motion commands
+    /// MC\_MoveAdditive (00) and MC\_MoveRelative (10).
+    ///
     /// Source: Tab. 15, Tab. 28.
     ///
-    /// Assumed, bits.0..=1.values: the manual describes bits 0 and 1; the others are the profile's.
+    /// Assumed, bits.0..=1.about: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
+    ///
+    /// Assumed, bits.0..=1.values: the manual describes two values of bits 0 and 1; the other bits, and all
+    /// names, are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PositioningOptionCode(pub u16);
 
@@ -18705,8 +19729,6 @@ pub mod single_hires {
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
-    ///
-    /// Source: Tab. 34.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct DigitalInputs(pub u32);
 
@@ -18740,8 +19762,6 @@ pub mod single_hires {
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
-    ///
-    /// Source: Tab. 30.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct PhysicalOutputs(pub u32);
 
@@ -18775,9 +19795,7 @@ pub mod single_hires {
 
     /// `0x6502` Supported drive modes.
     ///
-    /// Source: Tab. 34.
-    ///
-    /// Assumed, bits.3.about: the manual gives none; they are the profile's.
+    /// Assumed, bits.3.about: the manual gives no bit of it; they are the profile's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct SupportedDriveModes(pub u32);
 
@@ -18965,229 +19983,6 @@ pub mod single_hires {
 
     ::devc_runtime::value!(SmInputParameterSynchronizationType as u16);
 
-    /// `0x605A:00` Quick stop option code.
-    ///
-    /// How the drive stops on the command quick stop, and where it goes from there.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct QuickStopOptionCode(pub i16);
-
-    impl QuickStopOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to switch on disabled.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to switch on disabled.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to switch on disabled.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to switch on disabled.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// Slow down ramp, stay.
-        ///
-        /// Slows down on the slow down ramp, then stays in quick stop active.
-        pub const SLOW_DOWN_RAMP_STAY: Self = Self(5);
-
-        /// Quick stop ramp, stay.
-        ///
-        /// Slows down on the quick stop ramp, then stays in quick stop active.
-        pub const QUICK_STOP_RAMP_STAY: Self = Self(6);
-
-        /// Current limit, stay.
-        ///
-        /// Slows down as hard as the current limit allows, then stays in quick stop active.
-        pub const CURRENT_LIMIT_STAY: Self = Self(7);
-
-        /// Voltage limit, stay.
-        ///
-        /// Slows down as hard as the voltage limit allows, then stays in quick stop active.
-        pub const VOLTAGE_LIMIT_STAY: Self = Self(8);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                5 => Some("slow down ramp, stay"),
-                6 => Some("quick stop ramp, stay"),
-                7 => Some("current limit, stay"),
-                8 => Some("voltage limit, stay"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to switch on disabled.",
-                2 => "Slows down on the quick stop ramp, then goes to switch on disabled.",
-                3 => "Slows down as hard as the current limit allows, then goes to switch on disabled.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to switch on disabled.",
-                5 => "Slows down on the slow down ramp, then stays in quick stop active.",
-                6 => "Slows down on the quick stop ramp, then stays in quick stop active.",
-                7 => "Slows down as hard as the current limit allows, then stays in quick stop active.",
-                8 => "Slows down as hard as the voltage limit allows, then stays in quick stop active.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(QuickStopOptionCode, "{}");
-
-    ::devc_runtime::value!(QuickStopOptionCode as i16);
-
-    /// `0x605E:00` Fault reaction option code.
-    ///
-    /// What the drive does when a fault is found.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct FaultReactionOptionCode(pub i16);
-
-    impl FaultReactionOptionCode {
-        /// Disable drive function.
-        ///
-        /// Takes the torque away at once; the motor is free to turn.
-        pub const DISABLE_DRIVE_FUNCTION: Self = Self(0);
-
-        /// Slow down ramp.
-        ///
-        /// Slows down on the slow down ramp, then goes to fault.
-        pub const SLOW_DOWN_RAMP: Self = Self(1);
-
-        /// Quick stop ramp.
-        ///
-        /// Slows down on the quick stop ramp, then goes to fault.
-        pub const QUICK_STOP_RAMP: Self = Self(2);
-
-        /// Current limit.
-        ///
-        /// Slows down as hard as the current limit allows, then goes to fault.
-        pub const CURRENT_LIMIT: Self = Self(3);
-
-        /// Voltage limit.
-        ///
-        /// Slows down as hard as the voltage limit allows, then goes to fault.
-        pub const VOLTAGE_LIMIT: Self = Self(4);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("disable drive function"),
-                1 => Some("slow down ramp"),
-                2 => Some("quick stop ramp"),
-                3 => Some("current limit"),
-                4 => Some("voltage limit"),
-                _ => None,
-            }
-        }
-
-        /// What the description says of the value; empty if nothing.
-        pub const fn text(self) -> &'static str {
-            match self.0 {
-                0 => "Takes the torque away at once; the motor is free to turn.",
-                1 => "Slows down on the slow down ramp, then goes to fault.",
-                2 => "Slows down on the quick stop ramp, then goes to fault.",
-                3 => "Slows down as hard as the current limit allows, then goes to fault.",
-                4 => "Slows down as hard as the voltage limit allows, then goes to fault.",
-                _ => "",
-            }
-        }
-    }
-
-    ::devc_runtime::named!(FaultReactionOptionCode, "{}");
-
-    ::devc_runtime::value!(FaultReactionOptionCode as i16);
-
-    /// `0x60C0:00` Interpolation sub mode select.
-    ///
-    /// The way of interpolating; negative values are the manufacturer's.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct InterpolationSubModeSelect(pub i16);
-
-    impl InterpolationSubModeSelect {
-        /// Linear interpolation.
-        pub const LINEAR_INTERPOLATION: Self = Self(0);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("linear interpolation"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(InterpolationSubModeSelect, "{}");
-
-    ::devc_runtime::value!(InterpolationSubModeSelect as i16);
-
-    /// `0x60C4:03` Buffer organisation.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferOrganisation(pub u8);
-
-    impl BufferOrganisation {
-        /// FIFO buffer.
-        pub const FIFO_BUFFER: Self = Self(0);
-
-        /// Ring buffer.
-        pub const RING_BUFFER: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("FIFO buffer"),
-                1 => Some("ring buffer"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferOrganisation, "{}");
-
-    ::devc_runtime::value!(BufferOrganisation as u8);
-
-    /// `0x60C4:06` Buffer clear.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    pub struct BufferClear(pub u8);
-
-    impl BufferClear {
-        /// Clear the buffer and refuse records.
-        pub const CLEAR_THE_BUFFER_AND_REFUSE_RECORDS: Self = Self(0);
-
-        /// Accept records.
-        pub const ACCEPT_RECORDS: Self = Self(1);
-
-        /// What the value stands for, if the description says so.
-        pub const fn name(self) -> Option<&'static str> {
-            match self.0 {
-                0 => Some("clear the buffer and refuse records"),
-                1 => Some("accept records"),
-                _ => None,
-            }
-        }
-    }
-
-    ::devc_runtime::named!(BufferClear, "{}");
-
-    ::devc_runtime::value!(BufferClear as u8);
-
     /// An error code of Pilz's own system.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub struct VendorCode(pub u32);
@@ -19202,9 +19997,10 @@ pub mod single_hires {
 
         /// Limit switch.
         ///
-        /// A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction
-        /// that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at
-        /// its edge, a software switch once the actual position is beyond it by more than I22.
+        /// A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the
+        /// axis can move only away from the switch: I196 shows the direction that is locked, and the fault
+        /// cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch
+        /// with the window I22, by the condition of its cause.
         ///
         /// Source: 6.3.1.1, 6.3.1.7, 6.3.2.
         pub const LIMIT_SWITCH: Self = Self(53);
@@ -19231,7 +20027,7 @@ pub mod single_hires {
             match self.0 {
                 52 => "Named only to show what an event looks like on the display.",
                 53 =>
-                    "A limit switch was overrun. Afterwards the axis can move only away from it: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch once the actual position is beyond it by more than I22.",
+                    "A limit switch was overrun, or cannot be relied on. The fault can be acknowledged. Afterwards the axis can move only away from the switch: I196 shows the direction that is locked, and the fault cannot come again before the lock is gone. A hardware switch acts at its edge, a software switch with the window I22, by the condition of its cause.",
                 78 => "Set values stayed away; the drive goes to Fault.",
                 _ => "",
             }
@@ -19492,8 +20288,6 @@ pub mod single_hires {
 
     /// The outputs of the master with the PDOs assigned by default, 23 bytes.
     ///
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -19551,8 +20345,6 @@ pub mod single_hires {
 
     /// The inputs of the master with the PDOs assigned by default, 29 bytes.
     ///
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -19608,8 +20400,6 @@ pub mod single_hires {
         const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind the mailboxes.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -19628,8 +20418,6 @@ pub mod single_hires {
         };
     }
 
-    /// Source: 5.1.3, 7.1.
-    ///
     /// Assumed, address: no source gives it; behind three buffers of the longest outputs.
     ///
     /// Assumed, max-size: 24 entries of 4 bytes for each of two axes.
@@ -19685,39 +20473,36 @@ pub mod single_hires {
 
     /// How the statusword shows the states, bit 7 first.
     ///
-    /// *Not ready to switch on* `x0xx 0000`: The electronics have power and the drive starts up or tests
-    /// itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and
-    /// activation function are locked. The brakes stay applied. (6.5.2.2)
+    /// *Not ready to switch on* `x0xx 0000`: The drive starts up, tests itself and loads its parameters.
+    /// Power unit, drive function and activation function are locked. The brakes stay applied. (6.5.2.2)
     ///
-    /// *Switch on disabled* `x1xx 0000`: E47 and E49 tell which of the causes it is. Start and self-test
-    /// are done. Power unit, drive function and activation function are locked. The brakes are applied
+    /// *Switch on disabled* `x1xx 0000`: Start and self-test have ended well. E47 and E49 tell which of the
+    /// causes it is. Power unit, drive function and activation function are locked. The brakes are applied
     /// unless the release override is active. (6.5.2.3)
     ///
-    /// *Ready to switch on* `x01x 0001`: The supply of the power stage may be switched on; the motor has no
-    /// torque. Power unit and drive function are locked; the activation function is enabled. The brakes are
-    /// applied unless the release override is active. (6.5.2.4)
+    /// *Ready to switch on* `x01x 0001`: The drive waits for the command Switch on. Power unit and drive
+    /// function are locked; the activation function is enabled. The brakes are applied unless the release
+    /// override is active. (6.5.2.4)
     ///
-    /// *Switched on* `x01x 0011`: The power stage is supplied and ready; the motor has no torque. The power
-    /// unit is on. The drive function is locked; set values are not processed. There is no torque or force.
-    /// The brakes stay applied unless the release override is active. (6.5.2.5)
+    /// *Switched on* `x01x 0011`: The power unit is on, without torque or force. The power unit is on. The
+    /// drive function is locked; set values are not processed. There is no torque or force. The brakes stay
+    /// applied unless the release override is active. (6.5.2.5)
     ///
-    /// *Operation enabled* `x01x 0111`: The motor has torque and the drive follows its set values in the
-    /// mode that is active. The power unit is on. The drive function is enabled; set values are processed.
-    /// In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the
-    /// modes pp, ip and homing, the bit of the mode releases the brakes. (6.5.2.6)
+    /// *Operation enabled* `x01x 0111`: The drive follows its set values. The power unit is on. The drive
+    /// function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first
+    /// motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the
+    /// brakes. (6.5.2.6)
     ///
-    /// *Quick stop active* `x00x 0111`: The drive stops, or has stopped, as the quick stop option code
-    /// says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes
-    /// a quick stop. The brakes are released. No motion command is carried out. (6.5.2.7, 6.8)
+    /// *Quick stop active* `x00x 0111`: The drive makes a quick stop. The power unit is on and the drive
+    /// function is enabled. The brakes are released, or stay so. No motion command is carried out.
+    /// (6.5.2.7, 6.8)
     ///
-    /// *Fault reaction active* `x0xx 1111`: A fault was found and the drive stops as the fault reaction
-    /// option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are
-    /// applied depends on the reaction. (6.5.2.8)
+    /// *Fault reaction active* `x0xx 1111`: The drive has found a fault and reacts as that fault asks.
+    /// Whether the brakes are applied depends on the reaction. (6.5.2.8)
     ///
-    /// *Fault* `x0xx 1000`: The reaction to a fault is over, the motor has no torque; only a fault reset
-    /// leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and
-    /// activation function are locked. The brakes are applied unless the release override is active. No
-    /// motion command is carried out. (6.5.2.9, 6.8)
+    /// *Fault* `x0xx 1000`: The drive has found a fault, and the reaction is over. Power unit, drive
+    /// function and activation function are locked. The brakes are applied unless the release override is
+    /// active. No motion command is carried out. (6.5.2.9, 6.8)
     pub const STATES: StatePatterns = StatePatterns(&[
         (State::NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0000 }),
         (State::SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
@@ -19733,52 +20518,56 @@ pub mod single_hires {
     pub const fn state_text(state: State) -> &'static str {
         match state {
             State::NotReadyToSwitchOn =>
-                "The electronics have power and the drive starts up or tests itself. The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
+                "The drive starts up, tests itself and loads its parameters. Power unit, drive function and activation function are locked. The brakes stay applied.",
             State::SwitchOnDisabled =>
-                "E47 and E49 tell which of the causes it is. Start and self-test are done. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
+                "Start and self-test have ended well. E47 and E49 tell which of the causes it is. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active.",
             State::ReadyToSwitchOn =>
-                "The supply of the power stage may be switched on; the motor has no torque. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
+                "The drive waits for the command Switch on. Power unit and drive function are locked; the activation function is enabled. The brakes are applied unless the release override is active.",
             State::SwitchedOn =>
-                "The power stage is supplied and ready; the motor has no torque. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
+                "The power unit is on, without torque or force. The power unit is on. The drive function is locked; set values are not processed. There is no torque or force. The brakes stay applied unless the release override is active.",
             State::OperationEnabled =>
-                "The motor has torque and the drive follows its set values in the mode that is active. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
+                "The drive follows its set values. The power unit is on. The drive function is enabled; set values are processed. In the modes csp, csv, cst, vl, pv and pt, the first motion command releases the brakes. In the modes pp, ip and homing, the bit of the mode releases the brakes.",
             State::QuickStopActive =>
-                "The drive stops, or has stopped, as the quick stop option code says; the motor has torque. The power unit is on and the drive function is enabled. The drive makes a quick stop. The brakes are released. No motion command is carried out.",
+                "The drive makes a quick stop. The power unit is on and the drive function is enabled. The brakes are released, or stay so. No motion command is carried out.",
             State::FaultReactionActive =>
-                "A fault was found and the drive stops as the fault reaction option code says. The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
+                "The drive has found a fault and reacts as that fault asks. Whether the brakes are applied depends on the reaction.",
             State::Fault =>
-                "The reaction to a fault is over, the motor has no torque; only a fault reset leads out. The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
+                "The drive has found a fault, and the reaction is over. Power unit, drive function and activation function are locked. The brakes are applied unless the release override is active. No motion command is carried out.",
         }
     }
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
+    /// *0*: The drive gets its supply, or is restarted.
     ///
-    /// *1*: The drive has started; communication is possible.
+    /// *1*: The drive does this by itself.
     ///
-    /// *3*: The power stage gets its supply.
+    /// *2*: The activation function is enabled.
     ///
-    /// *4*: The drive function starts; set values from before are cleared.
+    /// *3*: The power unit is switched on.
     ///
-    /// *5*: The drive function ends.
+    /// *4*: The drive function is enabled; set values are processed from now on.
     ///
-    /// *6*: The supply of the power stage may be switched off.
+    /// *5*: The drive function is locked; the power unit stays on.
     ///
-    /// *8*: The drive function ends and the supply of the power stage may be switched off.
+    /// *6*: The power unit is locked.
     ///
-    /// *9*: The drive function ends and the supply of the power stage may be switched off.
+    /// *7*: The activation function is locked.
     ///
-    /// *10*: The supply of the power stage may be switched off.
+    /// *8*: Drive function and power unit are locked.
+    ///
+    /// *9*: Drive function, power unit and activation function are locked.
+    ///
+    /// *10*: Power unit and activation function are locked.
     ///
     /// *11*: The quick stop begins.
     ///
-    /// *12*: The drive function ends and the supply of the power stage may be switched off.
+    /// *12*: The quick stop is over, or cut short: drive function, power unit and activation function are
+    /// locked.
     ///
-    /// *13*: The fault reaction begins.
+    /// *13*: The reaction to the fault begins.
     ///
-    /// *14*: The fault reaction is over; the drive function ends and the supply of the power stage may be
-    /// switched off.
+    /// *14*: The reaction is over; power unit, drive function and activation function are locked.
     ///
     /// *15*: The fault is acknowledged.
     pub const TRANSITIONS: &[Transition] = {
@@ -19824,9 +20613,10 @@ pub mod single_hires {
 
         /// Shutdown. `0xxx x110`
         ///
-        /// Makes the drive ready to switch on, or brings it back to that.
+        /// Sets bits 2 and 1 in Switch on disabled, which withdraws the request for a quick stop; clears bit 0
+        /// in Switched on and Operation enabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const SHUTDOWN: Command = Command {
             name: "shutdown",
             pattern: Pattern { mask: 0x0087, value: 0x0006 },
@@ -19837,9 +20627,9 @@ pub mod single_hires {
 
         /// Switch on. `0xxx 0111`
         ///
-        /// Switches the power stage on.
+        /// Sets bit 0.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.4, Tab. 5.
         pub const SWITCH_ON: Command = Command {
             name: "switch on",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -19850,9 +20640,9 @@ pub mod single_hires {
 
         /// Disable voltage. `0xxx xx0x`
         ///
-        /// Takes the power away.
+        /// One of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const DISABLE_VOLTAGE: Command = Command {
             name: "disable voltage",
             pattern: Pattern { mask: 0x0082, value: 0x0000 },
@@ -19863,10 +20653,10 @@ pub mod single_hires {
 
         /// Quick stop. `0xxx x01x`
         ///
-        /// Stops the drive. With a load that hangs and a brake, always the way to switch off: the load is held
-        /// until the brake is.
+        /// Clears bit 2. The way to switch off an axis with a load that hangs and a brake: the load is held
+        /// until the brake is applied. Also one of the causes of Switch on disabled.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.1, 6.5.2.1, 6.5.2.3 to 6.5.2.6, Tab. 5.
         pub const QUICK_STOP: Command = Command {
             name: "quick stop",
             pattern: Pattern { mask: 0x0086, value: 0x0002 },
@@ -19877,9 +20667,9 @@ pub mod single_hires {
 
         /// Disable operation. `0xxx 0111`
         ///
-        /// Takes the torque away; the power unit stays on.
+        /// Clears bit 3. In Switched on, the power unit stays on, without torque or force.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, 6.5.2.6, Tab. 5.
         pub const DISABLE_OPERATION: Command = Command {
             name: "disable operation",
             pattern: Pattern { mask: 0x008F, value: 0x0007 },
@@ -19890,9 +20680,9 @@ pub mod single_hires {
 
         /// Enable operation. `0xxx 1111`
         ///
-        /// Makes the drive follow its set values.
+        /// Sets bit 3.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.5, Tab. 5.
         pub const ENABLE_OPERATION: Command = Command {
             name: "enable operation",
             pattern: Pattern { mask: 0x008F, value: 0x000F },
@@ -19903,9 +20693,9 @@ pub mod single_hires {
 
         /// Fault reset. `rxxx xxxx`
         ///
-        /// Leaves the state fault if its cause is gone.
+        /// Acknowledges the fault, once its cause is remedied.
         ///
-        /// Source: 6.5.2.1, Tab. 5.
+        /// Source: 6.5.2.1, 6.5.2.9, Tab. 5.
         pub const FAULT_RESET: Command = Command {
             name: "fault reset",
             pattern: Pattern { mask: 0x0080, value: 0x0080 },
@@ -19927,109 +20717,140 @@ pub mod single_hires {
     pub enum ModeOfOperation {
         /// Jog.
         ///
-        /// The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with
-        /// acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no
-        /// motion command.
+        /// The vendor's own, not for production, and offered with the controller-based and the drive-based
+        /// modes. The axis is moved by hand, through the jog control panel or by a controller, for
+        /// commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration
+        /// I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.
+        /// With velocity control the drive makes a quick stop at a software limit switch and stops beyond it;
+        /// with position control it stops shortly before.
         ///
         /// Caution:
         ///
-        /// - With velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active: only for axes without such a load.
-        /// - With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.
+        /// - DANGER, risk of fatal injury: with velocity control (I26 = 0), a load that hangs sinks as soon as the mode is active. Only for axes without such a load.
         ///
-        /// Source: 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.2.1, 6.6.10, Tab. 27, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 21; these are the values that the text names, and
+        /// what the profile has for the mode.
         Jog = -1,
         /// No mode.
-        ///
-        /// As a request, the mode stays what it is; as a display, no mode is active.
         ///
         /// Source: 6.8, Tab. 28.
         NoMode = 0,
         /// Profile position mode.
         ///
-        /// The controller gives a target position; the drive makes the profile, with the velocity override
-        /// A340, and controls position.
+        /// Drive-based. The controller gives a target position; the drive makes the profile out of velocity,
+        /// acceleration, deceleration and jerk, with the velocity override A340, and controls position.
         ///
         /// Source: 6.6.5, Tab. 15, Tab. 16, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 16; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pp = 1,
         /// Velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and
-        /// controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and
+        /// deceleration, with the velocity override A340, and controls velocity.
         ///
         /// The process data carry its target velocity, which the standard mapping does not.
         ///
         /// Source: 6.6.6, Tab. 17, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
+        /// what the profile has for the mode.
         Vl = 2,
         /// Profile velocity mode.
         ///
-        /// The controller gives a set velocity; the drive makes the profile, with the velocity override A340,
-        /// and controls velocity.
+        /// Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration,
+        /// deceleration and jerk, with the velocity override A340, and controls velocity.
         ///
         /// Source: 6.6.7, Tab. 22, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 18; these are the values that the text names, and
+        /// what the profile has for the mode.
         Pv = 3,
         /// Profile torque mode.
         ///
-        /// The controller gives a set torque or force; the drive makes the profile and controls torque. Its
-        /// short name in the manual is pt.
+        /// Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to
+        /// the velocity control, as printed, and controls torque. Its short name in the manual is pt.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.8, Tab. 23, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 19; these are the values that the text names, and
+        /// what the profile has for the mode.
         Tq = 4,
         /// Homing mode.
         ///
-        /// The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves.
-        /// On the way, software limit switches and hardware limit switches do not act as such; a hardware
-        /// switch ahead turns the axis round, one behind is a fault.
+        /// Offered with the controller-based and the drive-based modes. The drive finds its reference by
+        /// itself, in the way of A586. Only then can it make absolute moves. On the way, software limit
+        /// switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis
+        /// round, one behind is a fault.
         ///
         /// Caution:
         ///
-        /// - With a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
-        /// - If the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
+        /// - Information: with a torque or force limit I28 that is too high, the machine can be damaged; with one that is too low, the reference can be wrong.
+        /// - Information: if the controller keeps the reference (I46 = 5), the drive must not be referenced afterwards: its position could shift.
         ///
-        /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+        /// what the profile has for the mode.
         Hm = 6,
         /// Interpolated position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The process data carry its set position, which the standard mapping does not.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.1, 6.9, 6.10, Tab. 6, Tab. 7, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 12; these are the values that the text names, and
+        /// what the profile has for the mode.
         Ip = 7,
         /// Cyclic synchronous position mode.
         ///
-        /// The controller sends a set position every cycle; the drive interpolates and controls position, with
-        /// feedforward if wanted. No ramps, no jerk limit.
+        /// Controller-based. The controller sends a set position every cycle, with a set velocity for the
+        /// feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.2, 6.9, 6.10, Tab. 12, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 13; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
-        /// The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No
-        /// ramps, no jerk limit.
+        /// Controller-based. The controller sends a set velocity every cycle; the drive interpolates and
+        /// controls velocity. No ramps, no jerk limit.
         ///
         /// The set values are cyclic.
         ///
         /// Source: 6.6.3, 6.10, Tab. 13, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 14; these are the values that the text names, and
+        /// what the profile has for the mode.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
-        /// The controller sends a set torque or force every cycle; the drive interpolates and controls torque.
-        /// No ramps, no jerk limit, but a velocity limit.
+        /// Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and
+        /// controls torque. No ramps, no jerk limit, but a velocity limit.
         ///
         /// The set values are cyclic.
         ///
         /// The velocity limits G472 and G475 are above 0 %, their default; otherwise nothing moves.
         ///
         /// Source: 6.6.4, Tab. 14, Tab. 28.
+        ///
+        /// Assumed, objects: the signals are drawn in fig. 15; these are the values that the text names, and
+        /// what the profile has for the mode.
         Cst = 10,
     }
 
@@ -20038,26 +20859,26 @@ pub mod single_hires {
         pub const fn text(self) -> &'static str {
             match self {
                 Self::Jog =>
-                    "The drive is moved by hand, for commissioning, set-up, repair or in an emergency: to I12 with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command.",
-                Self::NoMode => "As a request, the mode stays what it is; as a display, no mode is active.",
+                    "The vendor's own, not for production, and offered with the controller-based and the drive-based modes. The axis is moved by hand, through the jog control panel or by a controller, for commissioning, set-up, maintenance, repair or in an emergency: to I12, or -I12, with acceleration I13, deceleration I45 and jerk I18. Velocity or position control, as I26 says; no motion command. With velocity control the drive makes a quick stop at a software limit switch and stops beyond it; with position control it stops shortly before.",
+                Self::NoMode => "",
                 Self::Pp =>
-                    "The controller gives a target position; the drive makes the profile, with the velocity override A340, and controls position.",
+                    "Drive-based. The controller gives a target position; the drive makes the profile out of velocity, acceleration, deceleration and jerk, with the velocity override A340, and controls position.",
                 Self::Vl =>
-                    "The controller gives a set velocity; the drive makes the ramp, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the ramp out of acceleration and deceleration, with the velocity override A340, and controls velocity.",
                 Self::Pv =>
-                    "The controller gives a set velocity; the drive makes the profile, with the velocity override A340, and controls velocity.",
+                    "Drive-based. The controller gives a set velocity; the drive makes the profile out of acceleration, deceleration and jerk, with the velocity override A340, and controls velocity.",
                 Self::Tq =>
-                    "The controller gives a set torque or force; the drive makes the profile and controls torque. Its short name in the manual is pt.",
+                    "Drive-based. The controller gives a set torque or force; the drive makes the profile, passes it to the velocity control, as printed, and controls torque. Its short name in the manual is pt.",
                 Self::Hm =>
-                    "The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
+                    "Offered with the controller-based and the drive-based modes. The drive finds its reference by itself, in the way of A586. Only then can it make absolute moves. On the way, software limit switches and hardware limit switches do not act as such; a hardware switch ahead turns the axis round, one behind is a fault.",
                 Self::Ip =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csp =>
-                    "The controller sends a set position every cycle; the drive interpolates and controls position, with feedforward if wanted. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set position every cycle, with a set velocity for the feedforward if wanted; the drive interpolates and controls position. No ramps, no jerk limit.",
                 Self::Csv =>
-                    "The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
+                    "Controller-based. The controller sends a set velocity every cycle; the drive interpolates and controls velocity. No ramps, no jerk limit.",
                 Self::Cst =>
-                    "The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
+                    "Controller-based. The controller sends a set torque or force every cycle; the drive interpolates and controls torque. No ramps, no jerk limit, but a velocity limit.",
             }
         }
     }
@@ -20140,11 +20961,19 @@ pub mod single_hires {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    /// Source: 5.2.7.2, 5.2.8, 6.1.2, 6.3.1.4, 6.3.1.6, 6.4, 6.6.9, Tab. 24 to 26, Tab. 28.
+    ///
+    /// Assumed, objects: the signals are drawn in fig. 20; these are the values that the text names, and
+    /// what the profile has for the mode.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0010, reached: 0x0400, attained: 0x1000, error: 0x2000 };
 
     /// The state machine, as both sides run it.
+    ///
+    /// No motion command is carried out in Fault and Quick stop active. Any motion command but MC\_Stop can
+    /// be overwritten while it runs.
+    ///
+    /// Source: 6.8.
     pub const MACHINE: Machine = Machine {
         states: STATES,
         commands: commands::ALL,
@@ -20248,7 +21077,7 @@ pub mod single_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -20272,7 +21101,7 @@ pub mod single_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -20296,7 +21125,7 @@ pub mod single_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the negative direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -20329,7 +21158,7 @@ pub mod single_hires {
         /// On the reference switch:
         ///
         /// 1. Starts in the positive direction with A588 and A587\[1\].
-        /// 2. At the edge of the reference switch turns round and goes on with A587\[0\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\].
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the zero pulse.
         /// 4. There, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -20337,7 +21166,7 @@ pub mod single_hires {
         ///
         /// Between the negative limit switch and the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[0\].
+        /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the negative limit switch turns round and goes on to the reference switch.
         /// 3. From there goes on with A587\[1\] to the first zero pulse behind the switch.
         /// 4. There, the actual position becomes A569.
@@ -20370,7 +21199,7 @@ pub mod single_hires {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
@@ -20381,7 +21210,7 @@ pub mod single_hires {
         ///
         /// 1. Starts in the positive direction with A588 and A587\[0\].
         /// 2. At the reference switch turns round and goes on with A587\[1\] until it has left the switch.
-        /// 3. On leaving it, the actual position becomes A569.
+        /// 3. On reaching the reference switch, the actual position becomes A569.
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
@@ -20435,8 +21264,8 @@ pub mod single_hires {
         ///
         /// On the reference switch:
         ///
-        /// 1. Starts in the negative direction with A588 and A587\[1\] until it has left the reference switch.
-        /// 2. Turns round and goes on with A587\[0\].
+        /// 1. Starts in the negative direction with A588 and A587\[1\].
+        /// 2. On reaching the reference switch turns round and goes on with A587\[0\] until it has left the switch.
         /// 3. Stops behind the switch, turns round again and goes on with A587\[1\] to the switch.
         /// 4. On reaching it, the actual position becomes A569.
         /// 5. Stops with A588.
@@ -20581,7 +21410,7 @@ pub mod single_hires {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 5,
@@ -20589,7 +21418,7 @@ pub mod single_hires {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "negatively positioned reference switch",
-                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 7,
@@ -20597,7 +21426,7 @@ pub mod single_hires {
                     direction: Some(Direction::Positive),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 11,
@@ -20605,7 +21434,7 @@ pub mod single_hires {
                     direction: Some(Direction::Negative),
                     pulse: true,
                     target: "centrally positioned reference switch",
-                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. At the edge of the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the negative direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the reference switch and the positive limit switch: Starts in the negative direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the positive direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the zero pulse. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the negative limit switch turns round and goes on to the reference switch. From there goes on with A587[1] to the first zero pulse behind the switch. There, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 17,
@@ -20629,7 +21458,7 @@ pub mod single_hires {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "positively positioned reference switch",
-                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Off the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On reaching the reference switch, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 21,
@@ -20645,7 +21474,7 @@ pub mod single_hires {
                     direction: Some(Direction::Positive),
                     pulse: false,
                     target: "centrally positioned reference switch",
-                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1] until it has left the reference switch. Turns round and goes on with A587[0]. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
+                    text: "Between the negative limit switch and the reference switch: Starts in the positive direction with A588 and A587[0]. At the reference switch turns round and goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. On the reference switch: Starts in the negative direction with A588 and A587[1]. On reaching the reference switch turns round and goes on with A587[0] until it has left the switch. Stops behind the switch, turns round again and goes on with A587[1] to the switch. On reaching it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569. Between the reference switch and the positive limit switch: Starts in the positive direction with A588 and A587[0]. At the positive limit switch turns round and goes on to the reference switch. From there goes on with A587[1] until it has left the switch. On leaving it, the actual position becomes A569. Stops with A588. With I43 = 1, goes to A569.",
                 },
                 HomingInfo {
                     number: 27,
@@ -20805,9 +21634,9 @@ pub mod single_hires {
             /// - `02` Vl dimension factor denominator. INT32, rw, RxPDO and TxPDO.
             pub vl_dimension_factor: [i32; 2],
             /// `0x605A:00` Quick stop option code. INT16, rw, RxPDO.
-            pub quick_stop_option_code: QuickStopOptionCode,
+            pub quick_stop_option_code: i16,
             /// `0x605E:00` Fault reaction option code. INT16, rw, RxPDO.
-            pub fault_reaction_option_code: FaultReactionOptionCode,
+            pub fault_reaction_option_code: i16,
             /// `0x6060:00` Modes of operation. INT8, rw, RxPDO and TxPDO, default 8.
             pub modes_of_operation: i8,
             /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
@@ -20835,17 +21664,11 @@ pub mod single_hires {
             /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             pub target_position: i32,
             /// `0x607B` Position range limit.
-            ///
-            /// - `01` Min position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            /// - `02` Max position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub position_range_limit: [i32; 2],
+            pub position_range_limit: PositionRangeLimit,
             /// `0x607C:00` Home offset. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
             pub home_offset: i32,
             /// `0x607D` Software position limit.
-            ///
-            /// - `01` Min position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            /// - `02` Max position limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub software_position_limit: [i32; 2],
+            pub software_position_limit: SoftwarePositionLimit,
             /// `0x607E:00` Polarity. UINT8, rw, RxPDO.
             pub polarity: Polarity,
             /// `0x607F:00` Max profile velocity. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
@@ -20861,29 +21684,20 @@ pub mod single_hires {
             /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO.
             pub torque_slope: u32,
             /// `0x6091` Gear ratio.
-            ///
-            /// - `01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub gear_ratio: [u32; 2],
+            pub gear_ratio: GearRatio,
             /// `0x6092` Feed constant.
-            ///
-            /// - `01` Feed. UINT32, rw, RxPDO and TxPDO.
-            /// - `02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
-            pub feed_constant: [u32; 2],
+            pub feed_constant: FeedConstant,
             /// `0x6098:00` Homing method. INT8, rw.
             pub homing_method: HomingMethod,
             /// `0x6099` Homing speeds.
-            ///
-            /// - `01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            /// - `02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
-            pub homing_speeds: [u32; 2],
+            pub homing_speeds: HomingSpeeds,
             /// `0x609A:00` Homing acceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311.
             pub homing_acceleration: u32,
             /// `0x60A3:00` Profile jerk use. UINT8, rw.
             pub profile_jerk_use: u8,
             /// `0x60A4` Profile jerk.
             ///
-            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
             pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
             pub velocity_offset: i32,
@@ -20902,11 +21716,9 @@ pub mod single_hires {
             /// `0x60BD:00` Touch probe position 2 negative value. INT32, ro, TxPDO, in user unit / 10^I06.
             pub touch_probe_2_negative_edge: i32,
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
-            pub interpolation_sub_mode_select: InterpolationSubModeSelect,
+            pub interpolation_sub_mode_select: i16,
             /// `0x60C1` Interpolation data record.
-            ///
-            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub interpolation_data_record: [i32; 1],
+            pub interpolation_data_record: InterpolationDataRecord,
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -20921,32 +21733,9 @@ pub mod single_hires {
             /// - `02` Touch probe 2 source. INT16, rw.
             pub touch_probe_source: [i16; 2],
             /// `0x60E3` Supported homing methods.
-            ///
-            /// - `01` 1st supported homing method. INT8, ro.
-            /// - `02` 2nd supported homing method. INT8, ro.
-            /// - `03` 3rd supported homing method. INT8, ro.
-            /// - `04` 4th supported homing method. INT8, ro.
-            /// - `05` 5th supported homing method. INT8, ro.
-            /// - `06` 6th supported homing method. INT8, ro.
-            /// - `07` 7th supported homing method. INT8, ro.
-            /// - `08` 8th supported homing method. INT8, ro.
-            /// - `09` 9th supported homing method. INT8, ro.
-            /// - `0A` 10th supported homing method. INT8, ro.
-            /// - `0B` 11th supported homing method. INT8, ro.
-            /// - `0C` 12th supported homing method. INT8, ro.
-            /// - `0D` 13th supported homing method. INT8, ro.
-            /// - `0E` 14th supported homing method. INT8, ro.
-            /// - `0F` 15th supported homing method. INT8, ro.
-            /// - `10` 16th supported homing method. INT8, ro.
-            /// - `11` 17th supported homing method. INT8, ro.
-            /// - `12` 18th supported homing method. INT8, ro.
-            /// - `13` 19th supported homing method. INT8, ro.
-            /// - `14` 20th supported homing method. INT8, ro.
-            pub supported_homing_methods: [HomingMethod; 20],
+            pub supported_homing_methods: SupportedHomingMethods,
             /// `0x60E4` Additional position actual value / 1st value.
-            ///
-            /// - `01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
-            pub additional_position_actual_value: [i32; 1],
+            pub additional_position_actual_value: AdditionalPositionActualValue,
             /// `0x60F2:00` Positioning option code. UINT16, rw, RxPDO.
             pub positioning_option_code: PositioningOptionCode,
             /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, in user unit / 10^I06.
@@ -21020,8 +21809,8 @@ pub mod single_hires {
                 vl_velocity_quick_stop: VlVelocityQuickStop { delta_speed: 0, delta_time: 0 },
                 vl_set_point_factor: [0; 2],
                 vl_dimension_factor: [0; 2],
-                quick_stop_option_code: QuickStopOptionCode(0),
-                fault_reaction_option_code: FaultReactionOptionCode(0),
+                quick_stop_option_code: 0,
+                fault_reaction_option_code: 0,
                 modes_of_operation: 8,
                 modes_of_operation_display: 0,
                 position_actual_value: 0,
@@ -21035,9 +21824,15 @@ pub mod single_hires {
                 current_actual_value: 0,
                 dc_link_circuit_voltage: 0,
                 target_position: 0,
-                position_range_limit: [0; 2],
+                position_range_limit: PositionRangeLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 home_offset: 0,
-                software_position_limit: [0; 2],
+                software_position_limit: SoftwarePositionLimit {
+                    min_position_range_limit: 0,
+                    max_position_range_limit: 0,
+                },
                 polarity: Polarity(0),
                 max_profile_velocity: 0,
                 profile_velocity: 0,
@@ -21045,10 +21840,13 @@ pub mod single_hires {
                 profile_deceleration: 0,
                 quick_stop_deceleration: 0,
                 torque_slope: 0,
-                gear_ratio: [0; 2],
-                feed_constant: [0; 2],
+                gear_ratio: GearRatio { motor_revolutions: 0, shaft_revolutions: 0 },
+                feed_constant: FeedConstant { feed: 0, shaft_revolutions: 0 },
                 homing_method: HomingMethod(0),
-                homing_speeds: [0; 2],
+                homing_speeds: HomingSpeeds {
+                    speed_during_search_for_switch: 0,
+                    speed_during_search_for_zero: 0,
+                },
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
                 profile_jerk: [0; 1],
@@ -21060,8 +21858,8 @@ pub mod single_hires {
                 touch_probe_1_negative_edge: 0,
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
-                interpolation_sub_mode_select: InterpolationSubModeSelect(0),
-                interpolation_data_record: [0; 1],
+                interpolation_sub_mode_select: 0,
+                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -21069,16 +21867,39 @@ pub mod single_hires {
                 interpolation_data_configuration: InterpolationDataConfiguration {
                     maximum_buffer_size: 0,
                     actual_buffer_size: 0,
-                    buffer_organisation: BufferOrganisation(0),
+                    buffer_organisation: 0,
                     buffer_position: 0,
                     size_of_data_record: 0,
-                    buffer_clear: BufferClear(0),
+                    buffer_clear: 0,
                 },
                 max_acceleration: 0,
                 max_deceleration: 0,
                 touch_probe_source: [0; 2],
-                supported_homing_methods: [HomingMethod(0); 20],
-                additional_position_actual_value: [0; 1],
+                supported_homing_methods: SupportedHomingMethods {
+                    _1st_supported_homing_method: HomingMethod(0),
+                    _2nd_supported_homing_method: HomingMethod(0),
+                    _3rd_supported_homing_method: HomingMethod(0),
+                    _4th_supported_homing_method: HomingMethod(0),
+                    _5th_supported_homing_method: HomingMethod(0),
+                    _6th_supported_homing_method: HomingMethod(0),
+                    _7th_supported_homing_method: HomingMethod(0),
+                    _8th_supported_homing_method: HomingMethod(0),
+                    _9th_supported_homing_method: HomingMethod(0),
+                    _10th_supported_homing_method: HomingMethod(0),
+                    _11th_supported_homing_method: HomingMethod(0),
+                    _12th_supported_homing_method: HomingMethod(0),
+                    _13th_supported_homing_method: HomingMethod(0),
+                    _14th_supported_homing_method: HomingMethod(0),
+                    _15th_supported_homing_method: HomingMethod(0),
+                    _16th_supported_homing_method: HomingMethod(0),
+                    _17th_supported_homing_method: HomingMethod(0),
+                    _18th_supported_homing_method: HomingMethod(0),
+                    _19th_supported_homing_method: HomingMethod(0),
+                    _20th_supported_homing_method: HomingMethod(0),
+                },
+                additional_position_actual_value: AdditionalPositionActualValue {
+                    _1st_additional_position_actual_value: 0,
+                },
                 positioning_option_code: PositioningOptionCode(0),
                 following_error_actual_value: 0,
                 digital_inputs: DigitalInputs(0),
@@ -21172,28 +21993,80 @@ pub mod single_hires {
         /// `0x6048` Vl velocity acceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityAcceleration {
-            /// `0x6048:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6048:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6048:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6048:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x6049` Vl velocity deceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityDeceleration {
-            /// `0x6049:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x6049:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x6049:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x6049:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
         }
 
         /// `0x604A` Vl velocity quick stop.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityQuickStop {
-            /// `0x604A:01` Delta speed. UINT32, rw, RxPDO and TxPDO.
+            /// `0x604A:01` Delta Speed. UINT32, rw, RxPDO and TxPDO.
             pub delta_speed: u32,
-            /// `0x604A:02` Delta time. UINT16, rw, RxPDO and TxPDO.
+            /// `0x604A:02` Delta Time. UINT16, rw, RxPDO and TxPDO.
             pub delta_time: u16,
+        }
+
+        /// `0x607B` Position range limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct PositionRangeLimit {
+            /// `0x607B:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub min_position_range_limit: i32,
+            /// `0x607B:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x607D` Software position limit.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SoftwarePositionLimit {
+            /// `0x607D:01` Min. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub min_position_range_limit: i32,
+            /// `0x607D:02` Max. position range limit. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub max_position_range_limit: i32,
+        }
+
+        /// `0x6091` Gear ratio.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct GearRatio {
+            /// `0x6091:01` Motor revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub motor_revolutions: u32,
+            /// `0x6091:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6092` Feed constant.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct FeedConstant {
+            /// `0x6092:01` Feed. UINT32, rw, RxPDO and TxPDO.
+            pub feed: u32,
+            /// `0x6092:02` Shaft revolutions. UINT32, rw, RxPDO and TxPDO.
+            pub shaft_revolutions: u32,
+        }
+
+        /// `0x6099` Homing speeds.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct HomingSpeeds {
+            /// `0x6099:01` Speed during search for switch. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
+            pub speed_during_search_for_switch: u32,
+            /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
+            pub speed_during_search_for_zero: u32,
+        }
+
+        /// `0x60C1` Interpolation data record.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct InterpolationDataRecord {
+            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub _1st_set_point: i32,
         }
 
         /// `0x60C2` Interpolation time period.
@@ -21213,13 +22086,65 @@ pub mod single_hires {
             /// `0x60C4:02` Actual buffer size. UINT32, rw.
             pub actual_buffer_size: u32,
             /// `0x60C4:03` Buffer organisation. UINT8, rw.
-            pub buffer_organisation: BufferOrganisation,
+            pub buffer_organisation: u8,
             /// `0x60C4:04` Buffer position. UINT16, rw.
             pub buffer_position: u16,
             /// `0x60C4:05` Size of data record. UINT8, wo.
             pub size_of_data_record: u8,
             /// `0x60C4:06` Buffer clear. UINT8, wo.
-            pub buffer_clear: BufferClear,
+            pub buffer_clear: u8,
+        }
+
+        /// `0x60E3` Supported homing methods.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct SupportedHomingMethods {
+            /// `0x60E3:01` 1st supported homing method. INT8, ro.
+            pub _1st_supported_homing_method: HomingMethod,
+            /// `0x60E3:02` 2nd supported homing method. INT8, ro.
+            pub _2nd_supported_homing_method: HomingMethod,
+            /// `0x60E3:03` 3rd supported homing method. INT8, ro.
+            pub _3rd_supported_homing_method: HomingMethod,
+            /// `0x60E3:04` 4th supported homing method. INT8, ro.
+            pub _4th_supported_homing_method: HomingMethod,
+            /// `0x60E3:05` 5th supported homing method. INT8, ro.
+            pub _5th_supported_homing_method: HomingMethod,
+            /// `0x60E3:06` 6th supported homing method. INT8, ro.
+            pub _6th_supported_homing_method: HomingMethod,
+            /// `0x60E3:07` 7th supported homing method. INT8, ro.
+            pub _7th_supported_homing_method: HomingMethod,
+            /// `0x60E3:08` 8th supported homing method. INT8, ro.
+            pub _8th_supported_homing_method: HomingMethod,
+            /// `0x60E3:09` 9th supported homing method. INT8, ro.
+            pub _9th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0A` 10th supported homing method. INT8, ro.
+            pub _10th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0B` 11th supported homing method. INT8, ro.
+            pub _11th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0C` 12th supported homing method. INT8, ro.
+            pub _12th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0D` 13th supported homing method. INT8, ro.
+            pub _13th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0E` 14th supported homing method. INT8, ro.
+            pub _14th_supported_homing_method: HomingMethod,
+            /// `0x60E3:0F` 15th supported homing method. INT8, ro.
+            pub _15th_supported_homing_method: HomingMethod,
+            /// `0x60E3:10` 16th supported homing method. INT8, ro.
+            pub _16th_supported_homing_method: HomingMethod,
+            /// `0x60E3:11` 17th supported homing method. INT8, ro.
+            pub _17th_supported_homing_method: HomingMethod,
+            /// `0x60E3:12` 18th supported homing method. INT8, ro.
+            pub _18th_supported_homing_method: HomingMethod,
+            /// `0x60E3:13` 19th supported homing method. INT8, ro.
+            pub _19th_supported_homing_method: HomingMethod,
+            /// `0x60E3:14` 20th supported homing method. INT8, ro.
+            pub _20th_supported_homing_method: HomingMethod,
+        }
+
+        /// `0x60E4` Additional position actual value / 1st value.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct AdditionalPositionActualValue {
+            /// `0x60E4:01` 1st additional position actual value. INT32, ro, TxPDO, in user unit / 10^I06.
+            pub _1st_additional_position_actual_value: i32,
         }
 
         impl sdo::Values for Dictionary {
@@ -21249,8 +22174,8 @@ pub mod single_hires {
                     18 => self.vl_velocity_quick_stop.slot(place.item),
                     19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
                     20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code.0)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code.0)),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
                     23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
                     24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
                     25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
@@ -21264,9 +22189,9 @@ pub mod single_hires {
                     33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
                     34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
                     35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.get_mut(item).map(sdo::Slot::I32),
+                    36 => self.position_range_limit.slot(place.item),
                     37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
+                    38 => self.software_position_limit.slot(place.item),
                     39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
                     40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
                     41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
@@ -21274,10 +22199,10 @@ pub mod single_hires {
                     43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
                     44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
                     45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.get_mut(item).map(sdo::Slot::U32),
-                    47 => self.feed_constant.get_mut(item).map(sdo::Slot::U32),
+                    46 => self.gear_ratio.slot(place.item),
+                    47 => self.feed_constant.slot(place.item),
                     48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.get_mut(item).map(sdo::Slot::U32),
+                    49 => self.homing_speeds.slot(place.item),
                     50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
                     51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
                     52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
@@ -21289,15 +22214,15 @@ pub mod single_hires {
                     58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
                     59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
                     60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select.0)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    62 => self.interpolation_data_record.slot(place.item),
                     63 => self.interpolation_time_period.slot(place.item),
                     64 => self.interpolation_data_configuration.slot(place.item),
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
                     66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
                     67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.get_mut(item).map(|item| sdo::Slot::I8(&mut item.0)),
-                    69 => self.additional_position_actual_value.get_mut(item).map(sdo::Slot::I32),
+                    68 => self.supported_homing_methods.slot(place.item),
+                    69 => self.additional_position_actual_value.slot(place.item),
                     70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
                     71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
                     72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
@@ -21393,6 +22318,65 @@ pub mod single_hires {
             }
         }
 
+        impl PositionRangeLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SoftwarePositionLimit {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self.min_position_range_limit)),
+                    1 => Some(sdo::Slot::I32(&mut self.max_position_range_limit)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl GearRatio {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.motor_revolutions)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl FeedConstant {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.feed)),
+                    1 => Some(sdo::Slot::U32(&mut self.shaft_revolutions)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl HomingSpeeds {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
+                    1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataRecord {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
+                    _ => None,
+                }
+            }
+        }
+
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -21408,10 +22392,47 @@ pub mod single_hires {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.maximum_buffer_size)),
                     1 => Some(sdo::Slot::U32(&mut self.actual_buffer_size)),
-                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation.0)),
+                    2 => Some(sdo::Slot::U8(&mut self.buffer_organisation)),
                     3 => Some(sdo::Slot::U16(&mut self.buffer_position)),
                     4 => Some(sdo::Slot::U8(&mut self.size_of_data_record)),
-                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear.0)),
+                    5 => Some(sdo::Slot::U8(&mut self.buffer_clear)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl SupportedHomingMethods {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I8(&mut self._1st_supported_homing_method.0)),
+                    1 => Some(sdo::Slot::I8(&mut self._2nd_supported_homing_method.0)),
+                    2 => Some(sdo::Slot::I8(&mut self._3rd_supported_homing_method.0)),
+                    3 => Some(sdo::Slot::I8(&mut self._4th_supported_homing_method.0)),
+                    4 => Some(sdo::Slot::I8(&mut self._5th_supported_homing_method.0)),
+                    5 => Some(sdo::Slot::I8(&mut self._6th_supported_homing_method.0)),
+                    6 => Some(sdo::Slot::I8(&mut self._7th_supported_homing_method.0)),
+                    7 => Some(sdo::Slot::I8(&mut self._8th_supported_homing_method.0)),
+                    8 => Some(sdo::Slot::I8(&mut self._9th_supported_homing_method.0)),
+                    9 => Some(sdo::Slot::I8(&mut self._10th_supported_homing_method.0)),
+                    10 => Some(sdo::Slot::I8(&mut self._11th_supported_homing_method.0)),
+                    11 => Some(sdo::Slot::I8(&mut self._12th_supported_homing_method.0)),
+                    12 => Some(sdo::Slot::I8(&mut self._13th_supported_homing_method.0)),
+                    13 => Some(sdo::Slot::I8(&mut self._14th_supported_homing_method.0)),
+                    14 => Some(sdo::Slot::I8(&mut self._15th_supported_homing_method.0)),
+                    15 => Some(sdo::Slot::I8(&mut self._16th_supported_homing_method.0)),
+                    16 => Some(sdo::Slot::I8(&mut self._17th_supported_homing_method.0)),
+                    17 => Some(sdo::Slot::I8(&mut self._18th_supported_homing_method.0)),
+                    18 => Some(sdo::Slot::I8(&mut self._19th_supported_homing_method.0)),
+                    19 => Some(sdo::Slot::I8(&mut self._20th_supported_homing_method.0)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl AdditionalPositionActualValue {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_additional_position_actual_value)),
                     _ => None,
                 }
             }
@@ -21757,7 +22778,7 @@ pub mod single_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     36,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
@@ -21771,7 +22792,7 @@ pub mod single_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     38,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
@@ -21821,14 +22842,14 @@ pub mod single_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     46,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     87,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     47,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
@@ -21836,7 +22857,7 @@ pub mod single_hires {
                 ),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
@@ -21885,7 +22906,7 @@ pub mod single_hires {
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     62,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
@@ -21939,14 +22960,14 @@ pub mod single_hires {
                     87,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     68,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     90,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     69,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },

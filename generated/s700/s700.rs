@@ -4215,10 +4215,6 @@ pub mod s300 {
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
-    ///
-    /// *1*: The drive has started; communication is possible.
-    ///
     /// *2*: The switch-on inhibit is lifted.
     ///
     /// *3*: The amplifier is enabled.
@@ -4547,12 +4543,6 @@ pub mod s300 {
         Condition::caused(13, Events::FAULT),
         Condition::caused(14, Events::FAULT_REACTION_OVER),
         Condition::caused(1, Events::INITIALISED),
-        Condition::caused(7, Events::LOCKED_OUT),
-        Condition::caused(9, Events::LOCKED_OUT),
-        Condition::caused(10, Events::LOCKED_OUT),
-        Condition::caused(12, Events::LOCKED_OUT),
-        Condition::hindered(2, Events::LOCKED_OUT),
-        Condition::hindered(15, Events::FAULT),
     ];
 
     /// The modes of operation by their numbers, and how the drive goes from one to another.
@@ -8955,10 +8945,6 @@ pub mod s400 {
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
-    ///
-    /// *1*: The drive has started; communication is possible.
-    ///
     /// *2*: The switch-on inhibit is lifted.
     ///
     /// *3*: The amplifier is enabled.
@@ -9287,12 +9273,6 @@ pub mod s400 {
         Condition::caused(13, Events::FAULT),
         Condition::caused(14, Events::FAULT_REACTION_OVER),
         Condition::caused(1, Events::INITIALISED),
-        Condition::caused(7, Events::LOCKED_OUT),
-        Condition::caused(9, Events::LOCKED_OUT),
-        Condition::caused(10, Events::LOCKED_OUT),
-        Condition::caused(12, Events::LOCKED_OUT),
-        Condition::hindered(2, Events::LOCKED_OUT),
-        Condition::hindered(15, Events::FAULT),
     ];
 
     /// The modes of operation by their numbers, and how the drive goes from one to another.
@@ -13561,10 +13541,6 @@ pub mod s600 {
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
-    ///
-    /// *1*: The drive has started; communication is possible.
-    ///
     /// *2*: The switch-on inhibit is lifted.
     ///
     /// *3*: The amplifier is enabled.
@@ -13893,12 +13869,6 @@ pub mod s600 {
         Condition::caused(13, Events::FAULT),
         Condition::caused(14, Events::FAULT_REACTION_OVER),
         Condition::caused(1, Events::INITIALISED),
-        Condition::caused(7, Events::LOCKED_OUT),
-        Condition::caused(9, Events::LOCKED_OUT),
-        Condition::caused(10, Events::LOCKED_OUT),
-        Condition::caused(12, Events::LOCKED_OUT),
-        Condition::hindered(2, Events::LOCKED_OUT),
-        Condition::hindered(15, Events::FAULT),
     ];
 
     /// The modes of operation by their numbers, and how the drive goes from one to another.
@@ -19243,10 +19213,6 @@ pub mod s700 {
 
     /// The transitions of the drive: number, states before, state after, axes that have to make it.
     ///
-    /// *0*: The drive is switched on or reset, starts up and tests itself.
-    ///
-    /// *1*: The drive has started; communication is possible.
-    ///
     /// *2*: The switch-on inhibit is lifted.
     ///
     /// *3*: The amplifier is enabled.
@@ -19575,12 +19541,6 @@ pub mod s700 {
         Condition::caused(13, Events::FAULT),
         Condition::caused(14, Events::FAULT_REACTION_OVER),
         Condition::caused(1, Events::INITIALISED),
-        Condition::caused(7, Events::LOCKED_OUT),
-        Condition::caused(9, Events::LOCKED_OUT),
-        Condition::caused(10, Events::LOCKED_OUT),
-        Condition::caused(12, Events::LOCKED_OUT),
-        Condition::hindered(2, Events::LOCKED_OUT),
-        Condition::hindered(15, Events::FAULT),
     ];
 
     /// The modes of operation by their numbers, and how the drive goes from one to another.

@@ -50,18 +50,12 @@ pub(crate) const PRINTED: Machine = Machine {
     ..MACHINE
 };
 
-/// The profile's but one: after a quick stop the drive stays enabled (3.4.2, bit 2), so that no end of it makes
-/// transition 12.
+/// The profile's own, of transitions that the drive makes by itself: the manual names no events, and after a quick stop
+/// the drive stays enabled (3.4.2, bit 2).
 const CONDITIONS: &[Condition] = &[
     Condition::caused(13, Events::FAULT),
     Condition::caused(14, Events::FAULT_REACTION_OVER),
     Condition::caused(1, Events::INITIALISED),
-    Condition::caused(12, Events::LOCKED_OUT),
-    Condition::caused(9, Events::LOCKED_OUT),
-    Condition::caused(10, Events::LOCKED_OUT),
-    Condition::caused(7, Events::LOCKED_OUT),
-    Condition::hindered(2, Events::LOCKED_OUT),
-    Condition::hindered(15, Events::FAULT),
 ];
 
 /// One for each transition that bits make; 1, 13 and 14 the drive makes by itself.
