@@ -750,9 +750,6 @@ pub mod double {
         }
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// How many milliseconds the position may be outside its following error window before a following
-        /// error is reported.
         pub const fn following_error_time_out(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
             axis.entry(0x6066, 0x800, 0)
         }
@@ -765,45 +762,37 @@ pub mod double {
             axis.entry(0x606C, 0x800, 0)
         }
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (6.6.4, 6.6.8, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// The torque wanted in the torque modes, in thousandths of the rated torque.
+        /// The set torque, or force, of profile torque mode and cyclic synchronous torque mode.
         pub const fn target_torque(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
             axis.entry(0x6071, 0x800, 0)
         }
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The largest torque allowed in the motor, in thousandths of the rated torque.
         pub const fn max_torque(axis: Axis) -> Entry<Double, u16, ReadWrite, RxTx> {
             axis.entry(0x6072, 0x800, 0)
         }
 
         /// `0x6076:00` Rated torque. UINT32, rw, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
-        /// to it.
         pub const fn motor_rated_torque(axis: Axis) -> Entry<Double, u32, ReadWrite, Tx> {
             axis.entry(0x6076, 0x800, 0)
         }
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 23, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The torque of the motor at this moment, in thousandths of the rated torque.
+        /// The actual torque, or force.
         pub const fn torque_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
             axis.entry(0x6077, 0x800, 0)
         }
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The current of the motor at this moment, in thousandths of the rated current.
         pub const fn current_actual_value(axis: Axis) -> Entry<Double, i16, ReadOnly, Tx> {
             axis.entry(0x6078, 0x800, 0)
         }
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The voltage of the DC link, in millivolts.
         pub const fn dc_link_circuit_voltage(axis: Axis) -> Entry<Double, u32, ReadOnly, Tx> {
             axis.entry(0x6079, 0x800, 0)
         }
@@ -917,8 +906,6 @@ pub mod double {
 
         /// `0x6084:00` Profile deceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
-        ///
-        /// How a move gets slower; if it is not there, the acceleration holds for both.
         pub const fn profile_deceleration(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6084, 0x800, 0)
         }
@@ -931,9 +918,9 @@ pub mod double {
             axis.entry(0x6085, 0x800, 0)
         }
 
-        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (Tab. 28, Tab. 34, Tab. 35).
         ///
-        /// How fast the torque may change, in thousandths of the rated torque per second.
+        /// The ramp of the torque, or force, of profile torque mode.
         pub const fn torque_slope(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
             axis.entry(0x6087, 0x800, 0)
         }
@@ -1059,9 +1046,6 @@ pub mod double {
         }
 
         /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
-        ///
-        /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
-        /// cyclic modes. In thousandths of the rated torque.
         pub const fn torque_offset(axis: Axis) -> Entry<Double, i16, ReadWrite, RxTx> {
             axis.entry(0x60B2, 0x800, 0)
         }
@@ -1113,8 +1097,6 @@ pub mod double {
         }
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The way of interpolating; negative values are the manufacturer's.
         pub const fn interpolation_sub_mode_select(axis: Axis) -> Entry<Double, i16, ReadWrite, Rx> {
             axis.entry(0x60C0, 0x800, 0)
         }
@@ -1422,9 +1404,6 @@ pub mod double {
         }
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
-        ///
-        /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
-        /// half.
         pub const fn digital_inputs(axis: Axis) -> Entry<Double, DigitalInputs, ReadOnly, Tx> {
             axis.entry(0x60FD, 0x800, 0)
         }
@@ -1454,11 +1433,10 @@ pub mod double {
             }
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (Tab. 30, Tab. 31, Tab.
-        /// 34, Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (6.6.3, 6.6.7, Tab. 30,
+        /// Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
-        /// units.
+        /// The set velocity of profile velocity mode and cyclic synchronous velocity mode.
         pub const fn target_velocity(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx> {
             axis.entry(0x60FF, 0x800, 0)
         }
@@ -6840,9 +6818,6 @@ pub mod single {
             Entry::new(0x6065, 0).measured_in(units::POSITION);
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// How many milliseconds the position may be outside its following error window before a following
-        /// error is reported.
         pub const FOLLOWING_ERROR_TIME_OUT: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6066, 0);
 
         /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in inc/s / 10^A310 (6.7, Tab. 32, Tab. 33, Tab.
@@ -6851,35 +6826,27 @@ pub mod single {
         /// The actual velocity. Below C40 the axis stands (I199 = 1).
         pub const VELOCITY_ACTUAL_VALUE: Entry<Single, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (6.6.4, 6.6.8, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// The torque wanted in the torque modes, in thousandths of the rated torque.
+        /// The set torque, or force, of profile torque mode and cyclic synchronous torque mode.
         pub const TARGET_TORQUE: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x6071, 0);
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The largest torque allowed in the motor, in thousandths of the rated torque.
         pub const MAX_TORQUE: Entry<Single, u16, ReadWrite, RxTx> = Entry::new(0x6072, 0);
 
         /// `0x6076:00` Rated torque. UINT32, rw, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
-        /// to it.
         pub const MOTOR_RATED_TORQUE: Entry<Single, u32, ReadWrite, Tx> = Entry::new(0x6076, 0);
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 23, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The torque of the motor at this moment, in thousandths of the rated torque.
+        /// The actual torque, or force.
         pub const TORQUE_ACTUAL_VALUE: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The current of the motor at this moment, in thousandths of the rated current.
         pub const CURRENT_ACTUAL_VALUE: Entry<Single, i16, ReadOnly, Tx> = Entry::new(0x6078, 0);
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The voltage of the DC link, in millivolts.
         pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<Single, u32, ReadOnly, Tx> = Entry::new(0x6079, 0);
 
         /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072 (6.6.2, 6.6.5, Tab.
@@ -6973,8 +6940,6 @@ pub mod single {
 
         /// `0x6084:00` Profile deceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab. 34;
         /// 7.2.2, Tab. 35).
-        ///
-        /// How a move gets slower; if it is not there, the acceleration holds for both.
         pub const PROFILE_DECELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6084, 0);
 
         /// `0x6085:00` Quick stop deceleration. UINT32, rw, RxPDO and TxPDO, in inc/s² / 10^A311 (7.2.1, Tab.
@@ -6983,9 +6948,9 @@ pub mod single {
         /// How the drive gets slower on the quick stop ramp.
         pub const QUICK_STOP_DECELERATION: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6085, 0);
 
-        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (Tab. 28, Tab. 34, Tab. 35).
         ///
-        /// How fast the torque may change, in thousandths of the rated torque per second.
+        /// The ramp of the torque, or force, of profile torque mode.
         pub const TORQUE_SLOPE: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x6087, 0);
 
         /// `0x6091` Gear ratio.
@@ -7085,9 +7050,6 @@ pub mod single {
         pub const VELOCITY_OFFSET: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x60B1, 0);
 
         /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
-        ///
-        /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
-        /// cyclic modes. In thousandths of the rated torque.
         pub const TORQUE_OFFSET: Entry<Single, i16, ReadWrite, RxTx> = Entry::new(0x60B2, 0);
 
         /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (6.11, Tab. 34, Tab. 35).
@@ -7130,8 +7092,6 @@ pub mod single {
             Entry::new(0x60BD, 0).measured_in(units::POSITION);
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The way of interpolating; negative values are the manufacturer's.
         pub const INTERPOLATION_SUB_MODE_SELECT: Entry<Single, i16, ReadWrite, Rx> = Entry::new(0x60C0, 0);
 
         /// `0x60C1` Interpolation data record.
@@ -7377,9 +7337,6 @@ pub mod single {
             Entry::new(0x60F4, 0).measured_in(units::POSITION);
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
-        ///
-        /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
-        /// half.
         pub const DIGITAL_INPUTS: Entry<Single, DigitalInputs, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FE` Digital outputs.
@@ -7403,11 +7360,10 @@ pub mod single {
             pub const PHYSICAL_OUTPUTS: Entry<Single, PhysicalOutputs, ReadWrite, Rx> = Entry::new(0x60FE, 1);
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (Tab. 30, Tab. 31, Tab.
-        /// 34, Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (6.6.3, 6.6.7, Tab. 30,
+        /// Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
-        /// units.
+        /// The set velocity of profile velocity mode and cyclic synchronous velocity mode.
         pub const TARGET_VELOCITY: Entry<Single, i32, ReadWrite, RxTx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
@@ -12351,9 +12307,6 @@ pub mod double_hires {
         }
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// How many milliseconds the position may be outside its following error window before a following
-        /// error is reported.
         pub const fn following_error_time_out(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
             axis.entry(0x6066, 0x800, 0)
         }
@@ -12366,45 +12319,37 @@ pub mod double_hires {
             axis.entry(0x606C, 0x800, 0)
         }
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (6.6.4, 6.6.8, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// The torque wanted in the torque modes, in thousandths of the rated torque.
+        /// The set torque, or force, of profile torque mode and cyclic synchronous torque mode.
         pub const fn target_torque(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
             axis.entry(0x6071, 0x800, 0)
         }
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The largest torque allowed in the motor, in thousandths of the rated torque.
         pub const fn max_torque(axis: Axis) -> Entry<DoubleHires, u16, ReadWrite, RxTx> {
             axis.entry(0x6072, 0x800, 0)
         }
 
         /// `0x6076:00` Rated torque. UINT32, rw, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
-        /// to it.
         pub const fn motor_rated_torque(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, Tx> {
             axis.entry(0x6076, 0x800, 0)
         }
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 23, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The torque of the motor at this moment, in thousandths of the rated torque.
+        /// The actual torque, or force.
         pub const fn torque_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
             axis.entry(0x6077, 0x800, 0)
         }
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The current of the motor at this moment, in thousandths of the rated current.
         pub const fn current_actual_value(axis: Axis) -> Entry<DoubleHires, i16, ReadOnly, Tx> {
             axis.entry(0x6078, 0x800, 0)
         }
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The voltage of the DC link, in millivolts.
         pub const fn dc_link_circuit_voltage(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly, Tx> {
             axis.entry(0x6079, 0x800, 0)
         }
@@ -12518,8 +12463,6 @@ pub mod double_hires {
 
         /// `0x6084:00` Profile deceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// How a move gets slower; if it is not there, the acceleration holds for both.
         pub const fn profile_deceleration(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6084, 0x800, 0)
         }
@@ -12532,9 +12475,9 @@ pub mod double_hires {
             axis.entry(0x6085, 0x800, 0)
         }
 
-        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (Tab. 28, Tab. 34, Tab. 35).
         ///
-        /// How fast the torque may change, in thousandths of the rated torque per second.
+        /// The ramp of the torque, or force, of profile torque mode.
         pub const fn torque_slope(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
             axis.entry(0x6087, 0x800, 0)
         }
@@ -12664,9 +12607,6 @@ pub mod double_hires {
         }
 
         /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
-        ///
-        /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
-        /// cyclic modes. In thousandths of the rated torque.
         pub const fn torque_offset(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, RxTx> {
             axis.entry(0x60B2, 0x800, 0)
         }
@@ -12720,8 +12660,6 @@ pub mod double_hires {
         }
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The way of interpolating; negative values are the manufacturer's.
         pub const fn interpolation_sub_mode_select(axis: Axis) -> Entry<DoubleHires, i16, ReadWrite, Rx> {
             axis.entry(0x60C0, 0x800, 0)
         }
@@ -13070,9 +13008,6 @@ pub mod double_hires {
         }
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
-        ///
-        /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
-        /// half.
         pub const fn digital_inputs(axis: Axis) -> Entry<DoubleHires, DigitalInputs, ReadOnly, Tx> {
             axis.entry(0x60FD, 0x800, 0)
         }
@@ -13102,11 +13037,10 @@ pub mod double_hires {
             }
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (Tab. 30, Tab. 31,
-        /// Tab. 34, Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (6.6.3, 6.6.7,
+        /// Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
-        /// units.
+        /// The set velocity of profile velocity mode and cyclic synchronous velocity mode.
         pub const fn target_velocity(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
             axis.entry(0x60FF, 0x800, 0)
         }
@@ -18347,9 +18281,6 @@ pub mod single_hires {
         pub const FOLLOWING_ERROR_WINDOW: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6065, 0);
 
         /// `0x6066:00` Following error time out. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// How many milliseconds the position may be outside its following error window before a following
-        /// error is reported.
         pub const FOLLOWING_ERROR_TIME_OUT: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6066, 0);
 
         /// `0x606C:00` Velocity actual value. INT32, ro, TxPDO, in user unit/s / 10^A310 (6.7, Tab. 32, Tab.
@@ -18358,35 +18289,27 @@ pub mod single_hires {
         /// The actual velocity. Below C40 the axis stands (I199 = 1).
         pub const VELOCITY_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x606C, 0);
 
-        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
+        /// `0x6071:00` Target torque. INT16, rw, RxPDO and TxPDO (6.6.4, 6.6.8, Tab. 30, Tab. 31, Tab. 34, Tab.
+        /// 35).
         ///
-        /// The torque wanted in the torque modes, in thousandths of the rated torque.
+        /// The set torque, or force, of profile torque mode and cyclic synchronous torque mode.
         pub const TARGET_TORQUE: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x6071, 0);
 
         /// `0x6072:00` Maximum torque. UINT16, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The largest torque allowed in the motor, in thousandths of the rated torque.
         pub const MAX_TORQUE: Entry<SingleHires, u16, ReadWrite, RxTx> = Entry::new(0x6072, 0);
 
         /// `0x6076:00` Rated torque. UINT32, rw, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The torque on the motor's name plate, in thousandths of a newton metre; torques are given relative
-        /// to it.
         pub const MOTOR_RATED_TORQUE: Entry<SingleHires, u32, ReadWrite, Tx> = Entry::new(0x6076, 0);
 
-        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
+        /// `0x6077:00` Torque actual value. INT16, ro, TxPDO (Tab. 23, Tab. 32, Tab. 33, Tab. 34, Tab. 35).
         ///
-        /// The torque of the motor at this moment, in thousandths of the rated torque.
+        /// The actual torque, or force.
         pub const TORQUE_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6077, 0);
 
         /// `0x6078:00` Current actual value. INT16, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The current of the motor at this moment, in thousandths of the rated current.
         pub const CURRENT_ACTUAL_VALUE: Entry<SingleHires, i16, ReadOnly, Tx> = Entry::new(0x6078, 0);
 
         /// `0x6079:00` DC link circuit voltage. UINT32, ro, TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The voltage of the DC link, in millivolts.
         pub const DC_LINK_CIRCUIT_VOLTAGE: Entry<SingleHires, u32, ReadOnly, Tx> = Entry::new(0x6079, 0);
 
         /// `0x607A:00` Target position. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06 (6.6.2, 6.6.5, Tab.
@@ -18478,8 +18401,6 @@ pub mod single_hires {
 
         /// `0x6084:00` Profile deceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1,
         /// Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// How a move gets slower; if it is not there, the acceleration holds for both.
         pub const PROFILE_DECELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6084, 0);
 
         /// `0x6085:00` Quick stop deceleration. UINT32, rw, RxPDO and TxPDO, in user unit/s² / 10^A311 (7.2.1,
@@ -18488,9 +18409,9 @@ pub mod single_hires {
         /// How the drive gets slower on the quick stop ramp.
         pub const QUICK_STOP_DECELERATION: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6085, 0);
 
-        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
+        /// `0x6087:00` Torque slope. UINT32, rw, RxPDO and TxPDO (Tab. 28, Tab. 34, Tab. 35).
         ///
-        /// How fast the torque may change, in thousandths of the rated torque per second.
+        /// The ramp of the torque, or force, of profile torque mode.
         pub const TORQUE_SLOPE: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x6087, 0);
 
         /// `0x6091` Gear ratio.
@@ -18590,9 +18511,6 @@ pub mod single_hires {
         pub const VELOCITY_OFFSET: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x60B1, 0);
 
         /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO (Tab. 30, Tab. 31, Tab. 34, Tab. 35).
-        ///
-        /// Added to the target torque in cyclic synchronous torque mode; the torque feed forward in the other
-        /// cyclic modes. In thousandths of the rated torque.
         pub const TORQUE_OFFSET: Entry<SingleHires, i16, ReadWrite, RxTx> = Entry::new(0x60B2, 0);
 
         /// `0x60B8:00` Touch probe function. UINT16, rw, RxPDO and TxPDO (6.11, Tab. 34, Tab. 35).
@@ -18632,8 +18550,6 @@ pub mod single_hires {
         pub const TOUCH_PROBE_2_NEGATIVE_EDGE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60BD, 0);
 
         /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO (7.2.1, Tab. 34; 7.2.2, Tab. 35).
-        ///
-        /// The way of interpolating; negative values are the manufacturer's.
         pub const INTERPOLATION_SUB_MODE_SELECT: Entry<SingleHires, i16, ReadWrite, Rx> =
             Entry::new(0x60C0, 0);
 
@@ -18878,9 +18794,6 @@ pub mod single_hires {
         pub const FOLLOWING_ERROR_ACTUAL_VALUE: Entry<SingleHires, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
         /// `0x60FD:00` Digital inputs. DWORD, ro, TxPDO (Tab. 32, Tab. 33, Tab. 34, Tab. 35).
-        ///
-        /// The levels of the digital inputs; the switches come first, the manufacturer's inputs in the upper
-        /// half.
         pub const DIGITAL_INPUTS: Entry<SingleHires, DigitalInputs, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FE` Digital outputs.
@@ -18905,11 +18818,10 @@ pub mod single_hires {
                 Entry::new(0x60FE, 1);
         }
 
-        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (Tab. 30, Tab. 31,
-        /// Tab. 34, Tab. 35).
+        /// `0x60FF:00` Target velocity. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (6.6.3, 6.6.7,
+        /// Tab. 30, Tab. 31, Tab. 34, Tab. 35).
         ///
-        /// The velocity wanted in profile velocity mode and in cyclic synchronous velocity mode, in velocity
-        /// units.
+        /// The set velocity of profile velocity mode and cyclic synchronous velocity mode.
         pub const TARGET_VELOCITY: Entry<SingleHires, i32, ReadWrite, RxTx> = Entry::new(0x60FF, 0);
 
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03EF (7.2.1, Tab. 34; 7.2.2, Tab. 35).
