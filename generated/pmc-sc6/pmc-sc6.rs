@@ -8,7 +8,11 @@ pub mod double {
     //!
     //! A drive controller of the 6th generation. Its application follows CiA 402, with modes in which the
     //! controller makes the path and modes in which the drive does. It is set up with the software
-    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
+    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later. WARNING, risk of fatal
+    //! injury: safety notes and residual risks of the drive's own manual have to be observed and considered
+    //! in the risk assessment. WARNING: wrong or changed parameters can make a machine malfunction and
+    //! injure or kill: observe the security notes there, protect the parameters from unauthorised access,
+    //! and be prepared for malfunctions, such as by an emergency stop.
     //!
     //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
     //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
@@ -3087,8 +3091,9 @@ pub mod double {
 
         /// Interpolated position mode.
         ///
-        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks the interpolation data record. The
+        /// same is to be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It
+        /// can be customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
         pub const INTERPOLATED_POSITION: [Write; 2] = [
@@ -3098,8 +3103,9 @@ pub mod double {
 
         /// Velocity mode.
         ///
-        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks its target velocity. The same is to
+        /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
+        /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
         pub const VELOCITY: [Write; 2] = [
@@ -4175,10 +4181,10 @@ pub mod double {
 
         /// Position: a step is 45/131072 deg.
         ///
-        /// Increments, 2²⁰ to a revolution of the motor shaft as long as the feed constant has its preset. No
-        /// decimals: I06 stays 0.
+        /// Increments, 2²⁰ to a revolution of the motor shaft as long as A585\[0\] and A585\[1\] have their
+        /// presets, 1048576 and 1. No decimals: I06 stays 0. The degrees are those that TwinCAT is set to.
         ///
-        /// The device holds the factor in 0x6092:00.
+        /// The device holds the factor in 0x6092:01.
         ///
         /// Source: 5.1.4.2.2, 5.2.7.1.
         pub const POSITION: Unit<Double, Angle> = Unit::of::<87_890_625, 256>();
@@ -6211,7 +6217,11 @@ pub mod single {
     //!
     //! A drive controller of the 6th generation. Its application follows CiA 402, with modes in which the
     //! controller makes the path and modes in which the drive does. It is set up with the software
-    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
+    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later. WARNING, risk of fatal
+    //! injury: safety notes and residual risks of the drive's own manual have to be observed and considered
+    //! in the risk assessment. WARNING: wrong or changed parameters can make a machine malfunction and
+    //! injure or kill: observe the security notes there, protect the parameters from unauthorised access,
+    //! and be prepared for malfunctions, such as by an emergency stop.
     //!
     //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
     //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
@@ -8908,8 +8918,9 @@ pub mod single {
 
         /// Interpolated position mode.
         ///
-        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks the interpolation data record. The
+        /// same is to be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It
+        /// can be customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
         pub const INTERPOLATED_POSITION: [Write; 1] =
@@ -8917,8 +8928,9 @@ pub mod single {
 
         /// Velocity mode.
         ///
-        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks its target velocity. The same is to
+        /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
+        /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
@@ -9991,10 +10003,10 @@ pub mod single {
 
         /// Position: a step is 45/131072 deg.
         ///
-        /// Increments, 2²⁰ to a revolution of the motor shaft as long as the feed constant has its preset. No
-        /// decimals: I06 stays 0.
+        /// Increments, 2²⁰ to a revolution of the motor shaft as long as A585\[0\] and A585\[1\] have their
+        /// presets, 1048576 and 1. No decimals: I06 stays 0. The degrees are those that TwinCAT is set to.
         ///
-        /// The device holds the factor in 0x6092:00.
+        /// The device holds the factor in 0x6092:01.
         ///
         /// Source: 5.1.4.2.2, 5.2.7.1.
         pub const POSITION: Unit<Single, Angle> = Unit::of::<87_890_625, 256>();
@@ -11552,7 +11564,11 @@ pub mod double_hires {
     //!
     //! A drive controller of the 6th generation. Its application follows CiA 402, with modes in which the
     //! controller makes the path and modes in which the drive does. It is set up with the software
-    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
+    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later. WARNING, risk of fatal
+    //! injury: safety notes and residual risks of the drive's own manual have to be observed and considered
+    //! in the risk assessment. WARNING: wrong or changed parameters can make a machine malfunction and
+    //! injure or kill: observe the security notes there, protect the parameters from unauthorised access,
+    //! and be prepared for malfunctions, such as by an emergency stop.
     //!
     //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
     //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
@@ -14690,8 +14706,9 @@ pub mod double_hires {
 
         /// Interpolated position mode.
         ///
-        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks the interpolation data record. The
+        /// same is to be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It
+        /// can be customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
         pub const INTERPOLATED_POSITION: [Write; 2] = [
@@ -14701,8 +14718,9 @@ pub mod double_hires {
 
         /// Velocity mode.
         ///
-        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks its target velocity. The same is to
+        /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
+        /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
         pub const VELOCITY: [Write; 2] = [
@@ -15780,7 +15798,7 @@ pub mod double_hires {
         ///
         /// The unit of I09 with the decimals of I06, scaled in the drive by gear ratio and feed constant.
         ///
-        /// The device holds the factor in 0x6092:00.
+        /// The device holds the factor in 0x6092:01.
         ///
         /// Source: 5.1.4.2.3.
         pub const POSITION: Scale = Scale::of::<1, 1>();
@@ -17669,7 +17687,11 @@ pub mod single_hires {
     //!
     //! A drive controller of the 6th generation. Its application follows CiA 402, with modes in which the
     //! controller makes the path and modes in which the drive does. It is set up with the software
-    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later.
+    //! DriveControlSuite (DS6), V 6.5-K or later; firmware V 6.5-K-EC or later. WARNING, risk of fatal
+    //! injury: safety notes and residual risks of the drive's own manual have to be observed and considered
+    //! in the risk assessment. WARNING: wrong or changed parameters can make a machine malfunction and
+    //! injure or kill: observe the security notes there, protect the parameters from unauthorised access,
+    //! and be prepared for malfunctions, such as by an emergency stop.
     //!
     //! Each axis has its own process data, controlword, statusword and mode of operation. A number in front
     //! of a coordinate, as in 1.A515 and 2.A515, tells the axes apart; parameters of the whole device have
@@ -20367,8 +20389,9 @@ pub mod single_hires {
 
         /// Interpolated position mode.
         ///
-        /// The standard mapping lacks the interpolation data record. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks the interpolation data record. The
+        /// same is to be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It
+        /// can be customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.1.3, Tab. 8 to 11.
         pub const INTERPOLATED_POSITION: [Write; 1] =
@@ -20376,8 +20399,9 @@ pub mod single_hires {
 
         /// Velocity mode.
         ///
-        /// The standard mapping lacks the target velocity of this mode. The same is to be set in DS6, in A225,
-        /// A226, A233 and A234, saved, and takes effect with a restart.
+        /// The mode cannot be used with the standard mapping, which lacks its target velocity. The same is to
+        /// be set in DS6, in A225, A226, A233 and A234, saved, and takes effect with a restart. It can be
+        /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
@@ -21452,7 +21476,7 @@ pub mod single_hires {
         ///
         /// The unit of I09 with the decimals of I06, scaled in the drive by gear ratio and feed constant.
         ///
-        /// The device holds the factor in 0x6092:00.
+        /// The device holds the factor in 0x6092:01.
         ///
         /// Source: 5.1.4.2.3.
         pub const POSITION: Scale = Scale::of::<1, 1>();
