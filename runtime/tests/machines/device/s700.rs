@@ -35,21 +35,6 @@ const STATES: StatePatterns = StatePatterns(&[
     (Fault, Pattern { mask: 0x006F, value: 0x0028 }),
 ]);
 
-/// As printed.
-pub(crate) const PRINTED: Machine = Machine {
-    states: StatePatterns(&[
-        (NotReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0040 }),
-        (SwitchOnDisabled, Pattern { mask: 0x004F, value: 0x0040 }),
-        (ReadyToSwitchOn, Pattern { mask: 0x004F, value: 0x0001 }),
-        (SwitchedOn, Pattern { mask: 0x006F, value: 0x0023 }),
-        (OperationEnabled, Pattern { mask: 0x006F, value: 0x0027 }),
-        (QuickStopActive, Pattern { mask: 0x006F, value: 0x0003 }),
-        (FaultReactionActive, Pattern { mask: 0x006F, value: 0x000F }),
-        (Fault, Pattern { mask: 0x006F, value: 0x0028 }),
-    ]),
-    ..MACHINE
-};
-
 /// The profile's own, of transitions that the drive makes by itself: the manual names no events, and after a quick stop
 /// the drive stays enabled (3.4.2, bit 2).
 const CONDITIONS: &[Condition] = &[
