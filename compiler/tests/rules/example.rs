@@ -1,0 +1,62 @@
+//! Descriptions that are written in short, as in the docs of rules.
+
+use std::path::Path;
+
+use devc::Compilation;
+use devc::diagnostic::render::{Style, text};
+use devc::source::Memory;
+
+/// What every example is completed with, unless it brings its own.
+const HEAD: &str = "\n[device]\nname = \"Example\"\nvendor = \"Example\"\n";
+const IDENTITY: &str = "\n[identity]\nvendor-id = 0x76D\nproduct-code = 3\nrevision = 1\n";
+
+/// The example under a heading.
+pub(crate) fn example<'d>(docs: &'d str, heading: &str) -> Option<&'d str> {
+    let (_, section) = docs.split_once(&format!(" ## {heading}\n"))?;
+    let (_, fence) = section.split_once("```toml\n")?;
+    fence.split_once(" ```").map(|(example, _)| example)
+}
+
+/// The files of an example: the main one, and those that a line `# file: name` starts.
+fn files(example: &str) -> Vec<(String, String)> {
+    let lines = example.lines().map(|line| line.strip_prefix(' ').unwrap_or(line));
+    let mut file = ("device.toml".to_owned(), String::new());
+    let mut files = Vec::new();
+    for line in lines {
+        match line.strip_prefix("# file: ") {
+            Some(name) => files.push(std::mem::replace(&mut file, (name.to_owned(), String::new()))),
+            None => {
+                file.1.push_str(line);
+                file.1.push('\n');
+            }
+        }
+    }
+    files.push(file);
+    let whole: String = files.iter().map(|(_, text)| text.as_str()).collect();
+    let missing = [("[device]", HEAD), ("[identity]", IDENTITY)];
+    let missing = missing.into_iter().filter(|(header, _)| !whole.contains(header));
+    files.iter_mut().take(1).for_each(|(_, main)| main.extend(missing.clone().map(|(_, text)| text)));
+    files
+}
+
+/// What devc says of an example.
+pub(crate) fn compiled(example: &str) -> Compilation {
+    let memory = files(example).into_iter().fold(Memory::default(), |memory, (name, text)| {
+        memory.with(Path::new("example").join(name), text.into_bytes())
+    });
+    devc::compile(&memory, Path::new("example"))
+}
+
+/// The rules that fire on an example.
+pub(crate) fn fired(example: &str) -> Vec<&'static str> {
+    let diagnostics = compiled(example).diagnostics;
+    let mut names: Vec<&str> = diagnostics.iter().map(|diagnostic| diagnostic.rule.name).collect();
+    names.dedup();
+    names
+}
+
+/// The messages about an example as people read them.
+pub(crate) fn messages(example: &str) -> Vec<String> {
+    let Compilation { diagnostics, sources, .. } = compiled(example);
+    diagnostics.iter().map(|diagnostic| text(diagnostic, &sources, Style::Plain)).collect()
+}
