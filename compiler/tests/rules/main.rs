@@ -4,6 +4,7 @@
 
 mod example;
 mod messages;
+mod more;
 
 use std::fs;
 use std::path::Path;

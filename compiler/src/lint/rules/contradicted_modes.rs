@@ -74,13 +74,14 @@ fn bits(modes: &[Mode]) -> i128 {
 }
 
 fn label(says: i128, holds: i128) -> String {
-    let list = |bits: i128| {
-        let set = (0..32).filter(|bit| bits >> bit & 1 == 1).map(|bit: u8| bit.to_string());
-        set.collect::<Vec<_>>().join(", ")
-    };
-    match (holds & !says, says & !holds) {
-        (missing, 0) => format!("without bit {}", list(missing)),
-        (0, extra) => format!("bit {} stands for no mode that is described", list(extra)),
-        (missing, extra) => format!("without bit {}, but with {}", list(missing), list(extra)),
+    let set = |bits: i128| (0..32_u8).filter(|bit| bits >> bit & 1 == 1).collect::<Vec<_>>();
+    let (missing, extra) = (set(holds & !says), set(says & !holds));
+    let noun = |bits: &[u8]| if bits.len() == 1 { "bit" } else { "bits" };
+    let (without, with) = (lookup::list(&missing), lookup::list(&extra));
+    match (missing.is_empty(), extra.as_slice()) {
+        (false, []) => format!("without {} {without}", noun(&missing)),
+        (false, _) => format!("without {} {without}, but with {with}", noun(&missing)),
+        (true, [_]) => format!("bit {with} stands for no mode that is described"),
+        (true, _) => format!("bits {with} stand for no mode that is described"),
     }
 }

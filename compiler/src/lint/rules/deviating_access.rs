@@ -46,10 +46,10 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let name = lookup::name(object, entry);
         let message = format!("{name} is {own}, but {profile} in the profile");
         let at = entry.origin.value("access");
-        let note = match (writable, access.writable()) {
-            (true, false) => "masters that write it get an abort",
-            (false, true) => "masters take it for something that only the device changes",
-            _ => "masters that read it get an abort",
+        let note = match (readable && !access.readable(), writable && !access.writable()) {
+            (true, _) => "masters that read it get an abort",
+            (false, true) => "masters that write it get an abort",
+            (false, false) => "masters take it for something that only the device changes",
         };
         let diagnostic = Diagnostic::new(&RULE, message, at, format!("not {profile}"))
             .label(node.at, "the profile's access")

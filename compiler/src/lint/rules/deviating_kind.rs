@@ -31,9 +31,10 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for object in lookup::objects(device) {
-        let Some(node) = report.profile(&object.origin, "kind") else { continue };
-        let Value::String(profile) = &node.value else { continue };
-        let single = &**profile == "var";
+        // what says nothing of its kind is a single value
+        let kind = report.profile(&object.origin, "kind");
+        let Some(node) = kind.or_else(|| report.profile(&object.origin, "id")) else { continue };
+        let single = kind.is_none_or(|kind| matches!(&kind.value, Value::String(kind) if &**kind == "var"));
         if single == (object.kind == Kind::Var) {
             continue;
         }

@@ -1,0 +1,55 @@
+//! What the examples of rules leave open: other faults that a rule finds, and what is close to one but none.
+//!
+//! In the files of `more/`, a line `#! rule` begins a description, and a line `#= text` says what a message about it
+//! contains, a line a message, to which lines `#& text` add; without one, nothing may be said.
+
+use std::fs;
+use std::path::Path;
+
+use crate::example::{compiled, messages};
+use crate::rules;
+
+struct Case<'t> {
+    rule: &'t str,
+    description: &'t str,
+    said: Vec<Vec<&'t str>>,
+}
+
+fn cases(text: &str) -> impl Iterator<Item = Case<'_>> {
+    text.split("#! ").skip(1).map(|case| {
+        let (rule, description) = case.split_once('\n').expect("a description");
+        let mut said: Vec<Vec<&str>> = Vec::new();
+        for line in description.lines() {
+            match (line.strip_prefix("#= "), line.strip_prefix("#& "), said.last_mut()) {
+                (Some(text), ..) => said.push(vec![text]),
+                (_, Some(text), Some(last)) => last.push(text),
+                _ => {}
+            }
+        }
+        Case { rule, description, said }
+    })
+}
+
+/// Why a case does not hold, if it does not.
+fn fault(Case { rule, description, said }: &Case<'_>) -> Option<String> {
+    let found: Vec<&str> = compiled(description).diagnostics.iter().map(|it| it.rule.name).collect();
+    let messages = messages(description);
+    let holds = found.len() == said.len()
+        && found.iter().all(|name| name == rule)
+        && messages.iter().zip(said).all(|(message, said)| said.iter().all(|text| message.contains(text)));
+    (!holds).then(|| format!("#! {rule}\n{description}\nfound:\n\n{}", messages.join("\n\n")))
+}
+
+#[test]
+fn rules_find_this_and_no_more() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rules/more");
+    let mut wrong = Vec::new();
+    for file in fs::read_dir(folder).expect("the folder") {
+        let text = fs::read_to_string(file.expect("a file").path()).expect("text");
+        for case in cases(&text) {
+            assert!(rules().any(|rule| rule.name == case.rule), "there is no rule {}", case.rule);
+            wrong.extend(fault(&case));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
