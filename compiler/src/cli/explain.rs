@@ -23,7 +23,7 @@ const EXAMPLES: &str = "\
 Examples:
   devc explain unknown-key          a rule
   devc explain cia402               a profile
-  devc explain 0x6064               an object, an error or an AL status code, in whatever profile has it
+  devc explain 0x6064               an object, an error or an AL status code
   devc explain cia402 0x60FE:01     an entry of an object
   devc explain target position      a thing by its name
   devc explain mode 8               one of several things with this number

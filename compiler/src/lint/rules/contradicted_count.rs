@@ -1,3 +1,5 @@
+use std::cmp::Ordering;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::Device;
@@ -35,21 +37,18 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     let described = device.objects.iter().filter(|object| !object.derived);
     for object in described.filter(|object| object.entries.len() > 1) {
         let Some(count) = object.entry(0) else { continue };
-        let says = count.default.as_ref().and_then(|default| default.integer());
+        let Some(says) = count.default.as_ref().and_then(|default| default.integer()) else { continue };
         let highest = object.highest_subindex();
-        if says != Some(highest.into())
-            && let Some(says) = says
-        {
-            let message =
-                format!("{} says {says} entries, but the last one described is {highest}", count.address);
-            let at = count.origin.value("default");
-            let diagnostic = Diagnostic::new(&RULE, message, at, format!("{says} by this"));
-            let help = match says > highest.into() {
-                true => format!("describe the others, or write {highest}"),
-                false => format!("write {highest}"),
-            };
-            let last = object.entries.last().map_or(at, |entry| entry.origin.header());
-            report.push(count.address, diagnostic.label(last, "the last one").help(help));
-        }
+        let help = match says.cmp(&highest.into()) {
+            Ordering::Equal => continue,
+            Ordering::Greater => format!("describe the others, or write {highest}"),
+            Ordering::Less => format!("write {highest}"),
+        };
+        let message =
+            format!("{} says {says} entries, but the last one described is {highest}", count.address);
+        let at = count.origin.value("default");
+        let last = object.entries.last().map_or(at, |entry| entry.origin.header());
+        let diagnostic = Diagnostic::new(&RULE, message, at, format!("{says} by this"));
+        report.push(count.address, diagnostic.label(last, "the last one").help(help));
     }
 }
