@@ -80,7 +80,11 @@ fn a_member_changes_one_table_and_not_those_like_it() {
     );
     let times = |id: &str| {
         let member = family.members.iter().find(|member| member.id == id).expect("it is a member");
-        member.cycle_times.iter().map(|time| (time.name.as_str(), time.min.map(|it| it.0))).collect::<Vec<_>>()
+        member
+            .cycle_times
+            .iter()
+            .map(|time| (time.name.as_str(), time.min.map(|it| it.0)))
+            .collect::<Vec<_>>()
     };
     assert_eq!(times("slow"), [("Position", Some(1_000_000)), ("Velocity", Some(250_000))]);
     let fast = [("Position", Some(250_000)), ("Velocity", Some(250_000)), ("Torque", Some(250_000))];

@@ -29,8 +29,7 @@ fn findings_have_names_for_errata() {
 
 /// Where a rule finds something, as it tells an erratum that names another place.
 fn places(rule: &str, example: &str) -> Option<String> {
-    let erratum = [("rule", rule), ("at", "nowhere"), ("says", "-"), ("holds", "-"), ("why", "-")];
-    let erratum: String = erratum.iter().map(|(key, value)| format!("{key} = \"{value}\"\n")).collect();
+    let erratum = format!("rule = \"{rule}\"\nat = \"device\"\nsays = {{}}\nwhy = \"-\"\n");
     let (main, others) = example.split_once(" # file: ").unwrap_or((example, ""));
     let others = if others.is_empty() { String::new() } else { format!("# file: {others}") };
     let compilation = compiled(&format!("{main}\n[[errata]]\n{erratum}{others}"));
