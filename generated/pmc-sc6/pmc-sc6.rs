@@ -1110,15 +1110,18 @@ pub mod double {
         /// The set position of interpolated position mode: one value, not a set of them.
         ///
         /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
-        pub mod interpolation_data_record_a {
+        pub mod interpolation_data_record {
             use super::*;
 
             /// `0x60C1:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x60C1, 0);
+            pub const fn highest_subindex_supported(axis: Axis) -> Entry<Double, u8, ReadOnly> {
+                axis.entry(0x60C1, 0x800, 0)
+            }
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const _1ST_SET_POINT: Entry<Double, i32, ReadWrite, RxTx, Angle> =
-                Entry::new(0x60C1, 1).measured_in(units::POSITION);
+            pub const fn _1st_set_point(axis: Axis) -> Entry<Double, i32, ReadWrite, RxTx, Angle> {
+                axis.entry(0x60C1, 0x800, 1).measured_in(units::POSITION)
+            }
         }
 
         /// `0x60C2` Interpolation time period.
@@ -1468,25 +1471,6 @@ pub mod double {
 
             /// `0x68A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
             pub const PROFILE_JERK_1: Entry<Double, u32, ReadWrite, RxTx> = Entry::new(0x68A4, 1);
-        }
-
-        /// `0x68C1` Interpolation data record.
-        ///
-        /// The set position of interpolated position mode: one value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
-        ///
-        /// Contradicted, kind: The profile has an array; the kind of an object with one entry shows in SDO
-        /// information only. An array on both, as far as one can tell.
-        pub mod interpolation_data_record_b {
-            use super::*;
-
-            /// `0x68C1:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x68C1, 0);
-
-            /// `0x68C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub const _1ST_SET_POINT: Entry<Double, i32, ReadWrite, RxTx, Angle> =
-                Entry::new(0x68C1, 1).measured_in(units::POSITION);
         }
     }
 
@@ -4244,16 +4228,10 @@ pub mod double {
             ///
             /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
             pub profile_jerk_a: [u32; 1],
-            /// `0x60C1` Interpolation data record.
-            pub interpolation_data_record_a: InterpolationDataRecordA,
             /// `0x68A4` Profile jerk.
             ///
             /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
             pub profile_jerk_b: [u32; 1],
-            /// `0x68C1` Interpolation data record.
-            ///
-            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub interpolation_data_record_b: [i32; 1],
             /// What each axis has, in order.
             pub axes: [AxisDictionary; 2],
         }
@@ -4302,9 +4280,7 @@ pub mod double {
                     sync_error: false,
                 },
                 profile_jerk_a: [0; 1],
-                interpolation_data_record_a: InterpolationDataRecordA { _1st_set_point: 0 },
                 profile_jerk_b: [0; 1],
-                interpolation_data_record_b: [0; 1],
                 axes: [AxisDictionary::DEFAULT; 2],
             };
         }
@@ -4435,6 +4411,8 @@ pub mod double {
             pub touch_probe_2_negative_edge: i32,
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
             pub interpolation_sub_mode_select: i16,
+            /// `0x60C1` Interpolation data record.
+            pub interpolation_data_record: InterpolationDataRecord,
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -4534,6 +4512,7 @@ pub mod double {
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
                 interpolation_sub_mode_select: 0,
+                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -4664,13 +4643,6 @@ pub mod double {
             pub sync_error: bool,
         }
 
-        /// `0x60C1` Interpolation data record.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct InterpolationDataRecordA {
-            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub _1st_set_point: i32,
-        }
-
         /// `0x6048` Vl velocity acceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityAcceleration {
@@ -4741,6 +4713,13 @@ pub mod double {
             pub speed_during_search_for_switch: u32,
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
             pub speed_during_search_for_zero: u32,
+        }
+
+        /// `0x60C1` Interpolation data record.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct InterpolationDataRecord {
+            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub _1st_set_point: i32,
         }
 
         /// `0x60C2` Interpolation time period.
@@ -4835,9 +4814,7 @@ pub mod double {
                     5 => self.sm_output_parameter.slot(place.item),
                     6 => self.sm_input_parameter.slot(place.item),
                     7 => self.profile_jerk_a.get_mut(item).map(sdo::Slot::U32),
-                    8 => self.interpolation_data_record_a.slot(place.item),
-                    9 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
-                    10 => self.interpolation_data_record_b.get_mut(item).map(sdo::Slot::I32),
+                    8 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
                     _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
                 }
             }
@@ -4847,73 +4824,74 @@ pub mod double {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    11 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    12 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    13 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    14 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    15 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    16 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    17 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    18 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    19 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    20 => self.vl_velocity_acceleration.slot(place.item),
-                    21 => self.vl_velocity_deceleration.slot(place.item),
-                    22 => self.vl_velocity_quick_stop.slot(place.item),
-                    23 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    24 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    25 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    26 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    27 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    28 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    29 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    30 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    31 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    32 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    34 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    35 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    36 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    37 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    38 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    39 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    40 => self.position_range_limit.slot(place.item),
-                    41 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    42 => self.software_position_limit.slot(place.item),
-                    43 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    44 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    45 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    46 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    47 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    48 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    49 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    50 => self.gear_ratio.slot(place.item),
-                    51 => self.feed_constant.slot(place.item),
-                    52 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    53 => self.homing_speeds.slot(place.item),
-                    54 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    55 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    56 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    57 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    59 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    63 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    64 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    65 => self.interpolation_time_period.slot(place.item),
-                    66 => self.interpolation_data_configuration.slot(place.item),
-                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    70 => self.supported_homing_methods.slot(place.item),
-                    71 => self.additional_position_actual_value.slot(place.item),
-                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    18 => self.vl_velocity_acceleration.slot(place.item),
+                    19 => self.vl_velocity_deceleration.slot(place.item),
+                    20 => self.vl_velocity_quick_stop.slot(place.item),
+                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    38 => self.position_range_limit.slot(place.item),
+                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    40 => self.software_position_limit.slot(place.item),
+                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    48 => self.gear_ratio.slot(place.item),
+                    49 => self.feed_constant.slot(place.item),
+                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    51 => self.homing_speeds.slot(place.item),
+                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    54 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    55 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    62 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    63 => self.interpolation_data_record.slot(place.item),
+                    64 => self.interpolation_time_period.slot(place.item),
+                    65 => self.interpolation_data_configuration.slot(place.item),
+                    66 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    67 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    68 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    69 => self.supported_homing_methods.slot(place.item),
+                    70 => self.additional_position_actual_value.slot(place.item),
+                    71 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    72 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    73 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    74 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    75 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    76 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -4968,15 +4946,6 @@ pub mod double {
                     10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
                     11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
                     12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataRecordA {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
                     _ => None,
                 }
             }
@@ -5057,6 +5026,15 @@ pub mod double {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
                     1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataRecord {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
                     _ => None,
                 }
             }
@@ -5326,7 +5304,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                11,
+                9,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5341,7 +5319,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                12,
+                10,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5363,29 +5341,51 @@ pub mod double {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     14,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    16,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    19,
+                    17,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    18,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    19,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                     165,
                 ),
                 object(
@@ -5400,85 +5400,77 @@ pub mod double {
                     165,
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    21,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    22,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
                     ObjectCode::Array,
                     0,
-                    23,
+                    21,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    24,
+                    22,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    31,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    33,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    34,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5493,21 +5485,21 @@ pub mod double {
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    41,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
-                    42,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    43,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5537,26 +5529,20 @@ pub mod double {
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     48,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    49,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    50,
+                    49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -5564,22 +5550,14 @@ pub mod double {
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    53,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
@@ -5590,41 +5568,41 @@ pub mod double {
                 object(
                     ObjectCode::Variable,
                     0,
-                    56,
+                    54,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    57,
+                    55,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    58,
+                    56,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
                     0,
-                    8,
+                    63,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    65,
+                    64,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -5635,7 +5613,7 @@ pub mod double {
                 object(
                     ObjectCode::Record,
                     0,
-                    66,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -5650,52 +5628,52 @@ pub mod double {
                 object(
                     ObjectCode::Variable,
                     0,
-                    67,
+                    66,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    68,
+                    67,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    69,
+                    68,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    70,
+                    69,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    71,
+                    70,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    75,
+                    74,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    76,
+                    75,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -5708,7 +5686,7 @@ pub mod double {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 76, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
 
         const SLOTS_68: [u8; 193] = positions(
@@ -5727,29 +5705,51 @@ pub mod double {
             axis: 0,
             slots: &SLOTS_68,
             objects: &[
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     14,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    16,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    19,
+                    17,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    18,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    19,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                     165,
                 ),
                 object(
@@ -5764,85 +5764,77 @@ pub mod double {
                     165,
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    21,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    22,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
                     ObjectCode::Array,
                     0,
-                    23,
+                    21,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    24,
+                    22,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    31,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    33,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    34,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5857,21 +5849,21 @@ pub mod double {
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    41,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
-                    42,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    43,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5901,26 +5893,20 @@ pub mod double {
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     48,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    49,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    50,
+                    49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -5928,67 +5914,59 @@ pub mod double {
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    53,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    9,
+                    8,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    56,
+                    54,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    57,
+                    55,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    58,
+                    56,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    10,
+                    63,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    65,
+                    64,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -5999,7 +5977,7 @@ pub mod double {
                 object(
                     ObjectCode::Record,
                     0,
-                    66,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -6014,52 +5992,52 @@ pub mod double {
                 object(
                     ObjectCode::Variable,
                     0,
-                    67,
+                    66,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    68,
+                    67,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    69,
+                    68,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    70,
+                    69,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    71,
+                    70,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    75,
+                    74,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    76,
+                    75,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -12685,14 +12663,18 @@ pub mod double_hires {
         /// The set position of interpolated position mode: one value, not a set of them.
         ///
         /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
-        pub mod interpolation_data_record_a {
+        pub mod interpolation_data_record {
             use super::*;
 
             /// `0x60C1:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x60C1, 0);
+            pub const fn highest_subindex_supported(axis: Axis) -> Entry<DoubleHires, u8, ReadOnly> {
+                axis.entry(0x60C1, 0x800, 0)
+            }
 
             /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const _1ST_SET_POINT: Entry<DoubleHires, i32, ReadWrite, RxTx> = Entry::new(0x60C1, 1);
+            pub const fn _1st_set_point(axis: Axis) -> Entry<DoubleHires, i32, ReadWrite, RxTx> {
+                axis.entry(0x60C1, 0x800, 1)
+            }
         }
 
         /// `0x60C2` Interpolation time period.
@@ -13084,24 +13066,6 @@ pub mod double_hires {
 
             /// `0x68A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
             pub const PROFILE_JERK_1: Entry<DoubleHires, u32, ReadWrite, RxTx> = Entry::new(0x68A4, 1);
-        }
-
-        /// `0x68C1` Interpolation data record.
-        ///
-        /// The set position of interpolated position mode: one value, not a set of them.
-        ///
-        /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
-        ///
-        /// Contradicted, kind: The profile has an array; the kind of an object with one entry shows in SDO
-        /// information only. An array on both, as far as one can tell.
-        pub mod interpolation_data_record_b {
-            use super::*;
-
-            /// `0x68C1:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x68C1, 0);
-
-            /// `0x68C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub const _1ST_SET_POINT: Entry<DoubleHires, i32, ReadWrite, RxTx> = Entry::new(0x68C1, 1);
         }
     }
 
@@ -15858,16 +15822,10 @@ pub mod double_hires {
             ///
             /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
             pub profile_jerk_a: [u32; 1],
-            /// `0x60C1` Interpolation data record.
-            pub interpolation_data_record_a: InterpolationDataRecordA,
             /// `0x68A4` Profile jerk.
             ///
             /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
             pub profile_jerk_b: [u32; 1],
-            /// `0x68C1` Interpolation data record.
-            ///
-            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub interpolation_data_record_b: [i32; 1],
             /// What each axis has, in order.
             pub axes: [AxisDictionary; 2],
         }
@@ -15916,9 +15874,7 @@ pub mod double_hires {
                     sync_error: false,
                 },
                 profile_jerk_a: [0; 1],
-                interpolation_data_record_a: InterpolationDataRecordA { _1st_set_point: 0 },
                 profile_jerk_b: [0; 1],
-                interpolation_data_record_b: [0; 1],
                 axes: [AxisDictionary::DEFAULT; 2],
             };
         }
@@ -16049,6 +16005,8 @@ pub mod double_hires {
             pub touch_probe_2_negative_edge: i32,
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
             pub interpolation_sub_mode_select: i16,
+            /// `0x60C1` Interpolation data record.
+            pub interpolation_data_record: InterpolationDataRecord,
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -16148,6 +16106,7 @@ pub mod double_hires {
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
                 interpolation_sub_mode_select: 0,
+                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -16278,13 +16237,6 @@ pub mod double_hires {
             pub sync_error: bool,
         }
 
-        /// `0x60C1` Interpolation data record.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct InterpolationDataRecordA {
-            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub _1st_set_point: i32,
-        }
-
         /// `0x6048` Vl velocity acceleration.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct VlVelocityAcceleration {
@@ -16355,6 +16307,13 @@ pub mod double_hires {
             pub speed_during_search_for_switch: u32,
             /// `0x6099:02` Speed during search for zero. UINT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
             pub speed_during_search_for_zero: u32,
+        }
+
+        /// `0x60C1` Interpolation data record.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct InterpolationDataRecord {
+            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub _1st_set_point: i32,
         }
 
         /// `0x60C2` Interpolation time period.
@@ -16449,9 +16408,7 @@ pub mod double_hires {
                     5 => self.sm_output_parameter.slot(place.item),
                     6 => self.sm_input_parameter.slot(place.item),
                     7 => self.profile_jerk_a.get_mut(item).map(sdo::Slot::U32),
-                    8 => self.interpolation_data_record_a.slot(place.item),
-                    9 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
-                    10 => self.interpolation_data_record_b.get_mut(item).map(sdo::Slot::I32),
+                    8 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
                     _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
                 }
             }
@@ -16461,73 +16418,74 @@ pub mod double_hires {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    11 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    12 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    13 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    14 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    15 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    16 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    17 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    18 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    19 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    20 => self.vl_velocity_acceleration.slot(place.item),
-                    21 => self.vl_velocity_deceleration.slot(place.item),
-                    22 => self.vl_velocity_quick_stop.slot(place.item),
-                    23 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    24 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    25 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    26 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    27 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    28 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    29 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    30 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    31 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    32 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    34 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    35 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    36 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    37 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    38 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    39 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    40 => self.position_range_limit.slot(place.item),
-                    41 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    42 => self.software_position_limit.slot(place.item),
-                    43 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    44 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    45 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    46 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    47 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    48 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    49 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    50 => self.gear_ratio.slot(place.item),
-                    51 => self.feed_constant.slot(place.item),
-                    52 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    53 => self.homing_speeds.slot(place.item),
-                    54 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    55 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    56 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    57 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    59 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    63 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    64 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    65 => self.interpolation_time_period.slot(place.item),
-                    66 => self.interpolation_data_configuration.slot(place.item),
-                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    70 => self.supported_homing_methods.slot(place.item),
-                    71 => self.additional_position_actual_value.slot(place.item),
-                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    18 => self.vl_velocity_acceleration.slot(place.item),
+                    19 => self.vl_velocity_deceleration.slot(place.item),
+                    20 => self.vl_velocity_quick_stop.slot(place.item),
+                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    38 => self.position_range_limit.slot(place.item),
+                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    40 => self.software_position_limit.slot(place.item),
+                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    48 => self.gear_ratio.slot(place.item),
+                    49 => self.feed_constant.slot(place.item),
+                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    51 => self.homing_speeds.slot(place.item),
+                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    54 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    55 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    62 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    63 => self.interpolation_data_record.slot(place.item),
+                    64 => self.interpolation_time_period.slot(place.item),
+                    65 => self.interpolation_data_configuration.slot(place.item),
+                    66 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    67 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    68 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    69 => self.supported_homing_methods.slot(place.item),
+                    70 => self.additional_position_actual_value.slot(place.item),
+                    71 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    72 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    73 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    74 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    75 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    76 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -16582,15 +16540,6 @@ pub mod double_hires {
                     10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
                     11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
                     12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataRecordA {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
                     _ => None,
                 }
             }
@@ -16671,6 +16620,15 @@ pub mod double_hires {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
                     1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
+                    _ => None,
+                }
+            }
+        }
+
+        impl InterpolationDataRecord {
+            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
+                match item {
+                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
                     _ => None,
                 }
             }
@@ -16940,7 +16898,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                11,
+                9,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16955,7 +16913,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                12,
+                10,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16977,29 +16935,51 @@ pub mod double_hires {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     14,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    16,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    19,
+                    17,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    18,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    19,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                     165,
                 ),
                 object(
@@ -17014,85 +16994,77 @@ pub mod double_hires {
                     165,
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    21,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    22,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
                     ObjectCode::Array,
                     0,
-                    23,
+                    21,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    24,
+                    22,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    31,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    33,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    34,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -17107,21 +17079,21 @@ pub mod double_hires {
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    41,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
-                    42,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    43,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -17151,26 +17123,20 @@ pub mod double_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     48,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    49,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    50,
+                    49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -17178,22 +17144,14 @@ pub mod double_hires {
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    53,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
@@ -17204,41 +17162,41 @@ pub mod double_hires {
                 object(
                     ObjectCode::Variable,
                     0,
-                    56,
+                    54,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    57,
+                    55,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    58,
+                    56,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
                     0,
-                    8,
+                    63,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    65,
+                    64,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -17249,7 +17207,7 @@ pub mod double_hires {
                 object(
                     ObjectCode::Record,
                     0,
-                    66,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -17264,52 +17222,52 @@ pub mod double_hires {
                 object(
                     ObjectCode::Variable,
                     0,
-                    67,
+                    66,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    68,
+                    67,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    69,
+                    68,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    70,
+                    69,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    71,
+                    70,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    75,
+                    74,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    76,
+                    75,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -17322,7 +17280,7 @@ pub mod double_hires {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 76, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
 
         const SLOTS_68: [u8; 193] = positions(
@@ -17341,29 +17299,51 @@ pub mod double_hires {
             axis: 0,
             slots: &SLOTS_68,
             objects: &[
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     14,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    16,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 17, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 18, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    19,
+                    17,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    18,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    19,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                     165,
                 ),
                 object(
@@ -17378,85 +17358,77 @@ pub mod double_hires {
                     165,
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    21,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    22,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
                     ObjectCode::Array,
                     0,
-                    23,
+                    21,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    24,
+                    22,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    31,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    33,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    34,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 37, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 38, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    37,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    38,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -17471,21 +17443,21 @@ pub mod double_hires {
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    41,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    42,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
-                    42,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    43,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
-                object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -17515,26 +17487,20 @@ pub mod double_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     48,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    49,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    50,
+                    49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -17542,67 +17508,59 @@ pub mod double_hires {
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    53,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    9,
+                    8,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    56,
+                    54,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    57,
+                    55,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    58,
+                    56,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 64, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
-                    10,
+                    63,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    65,
+                    64,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -17613,7 +17571,7 @@ pub mod double_hires {
                 object(
                     ObjectCode::Record,
                     0,
-                    66,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -17628,52 +17586,52 @@ pub mod double_hires {
                 object(
                     ObjectCode::Variable,
                     0,
-                    67,
+                    66,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    68,
+                    67,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    69,
+                    68,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    70,
+                    69,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    71,
+                    70,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    75,
+                    74,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    76,
+                    75,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),

@@ -79,7 +79,7 @@ pub struct Member {
     pub node: Node,
     /// Who set it.
     pub layer: Layer,
-    /// The value of the layer below that this one replaced.
+    /// The value of the lowest of the layers that this one replaced: the profile's, if a profile has one.
     pub under: Option<Arc<Node>>,
 }
 
@@ -175,6 +175,7 @@ impl Member {
             }
             _ => self.node.clone(),
         };
-        Member { key: self.key.clone(), node, layer: self.layer, under: Some(Arc::new(base.node.clone())) }
+        let under = base.under.clone().unwrap_or_else(|| Arc::new(base.node.clone()));
+        Member { key: self.key.clone(), node, layer: self.layer, under: Some(under) }
     }
 }

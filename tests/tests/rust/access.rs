@@ -73,12 +73,13 @@ fn may_read(entry: &Value) -> Result<(), AbortCode> {
 
 fn may_write(entry: &Value, state: CommunicationState) -> Result<(), AbortCode> {
     let is_ever = entry["access"] == "rw" || entry["access"] == "wo";
-    let state_of = |letter| match letter {
-        'P' => PreOperational,
-        'S' => SafeOperational,
-        _ => Operational,
+    let state_of = |window| match window {
+        "pre_op" => PreOperational,
+        "safe_op" => SafeOperational,
+        "op" => Operational,
+        other => panic!("{other} is new"),
     };
-    let only = entry["written"].as_str().and_then(|transition| transition.chars().next()).map(state_of);
+    let only = entry["written"].as_str().map(state_of);
     verdict(is_ever, only.is_none_or(|only| only == state), AbortCode::READ_ONLY)
 }
 

@@ -68,7 +68,7 @@ fn check_entry<V: Values>(mailbox: &mut Mailbox<V>, index: u16, entry: &Value) {
     let read = if entry["access"] == "wo" { 0 } else { 0x07 };
     let write = match (entry["access"].as_str(), entry["written"].as_str()) {
         (Some("rw" | "wo"), None) => 0x38,
-        (Some("rw" | "wo"), Some("PS")) => 0x08,
+        (Some("rw" | "wo"), Some("pre_op")) => 0x08,
         (Some("rw" | "wo"), other) => panic!("{address}: {other:?} is new"),
         _ => 0,
     };
