@@ -1,7 +1,7 @@
 use devc_runtime::Device;
 
 #[derive(Device)]
-#[device(path = "typo")]
+#[device(path = "macros/tests/ui/typo")]
 pub struct Drive;
 
 fn main() {

@@ -2,7 +2,7 @@ use devc_runtime::Device;
 use devc_runtime::unit::{Angle, Length};
 
 #[derive(Device)]
-#[device(path = "../../../../devices/c887")]
+#[device(path = "devices/c887")]
 pub struct C887;
 
 use c887::{Axis, objects};

@@ -13,7 +13,6 @@ mod information;
 mod memory;
 mod own;
 mod pdos;
-mod rebuild;
 mod same;
 mod units;
 mod widths;

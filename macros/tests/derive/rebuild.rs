@@ -1,16 +1,15 @@
 //! A change of the description rebuilds the user's crate.
 
+use std::fs;
 use std::path::Path;
-use std::process::Command;
-use std::{env, fs};
 
+use crate::built::{FLAGS, cargo};
+
+/// The runtime is no dependency here: it is built already, and rustc is told where.
 const MANIFEST: &str = r#"
 [package]
 name = "drive"
 edition = "2024"
-
-[dependencies]
-devc-runtime = { path = "RUNTIME", features = ["derive"] }
 
 [workspace]
 "#;
@@ -39,11 +38,11 @@ revision = 3
 
 /// Builds and runs the crate.
 fn run(crate_root: &Path) -> String {
-    let target = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/rebuild");
-    let output = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["run", "--quiet", "--offline"])
+    let output = cargo()
+        .arg("run")
         .current_dir(crate_root)
-        .env("CARGO_TARGET_DIR", target)
+        .env("CARGO_TARGET_DIR", crate_root.join("target"))
+        .env("CARGO_ENCODED_RUSTFLAGS", FLAGS.join("\x1f"))
         .output()
         .expect("cargo runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -54,11 +53,8 @@ fn run(crate_root: &Path) -> String {
 fn a_change_of_the_description_rebuilds() {
     let folder = tempfile::tempdir().expect("a folder");
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("a file");
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let runtime = workspace.join("runtime").display().to_string().replace('\\', "/");
     fs::create_dir(folder.path().join("src")).expect("a folder");
-    fs::copy(workspace.join("Cargo.lock"), folder.path().join("Cargo.lock")).expect("the lock file");
-    write("Cargo.toml", &MANIFEST.replace("RUNTIME", &runtime));
+    write("Cargo.toml", MANIFEST);
     write("src/main.rs", MAIN);
     for name in ["first", "second"] {
         write("device.toml", &DESCRIPTION.replace("NAME", name));
