@@ -3,6 +3,7 @@
 #[cfg(feature = "build")]
 pub mod build;
 mod compile;
+#[cfg(feature = "derive")]
 pub mod derive;
 pub mod diagnostic;
 pub mod emit;

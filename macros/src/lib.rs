@@ -18,15 +18,15 @@ use proc_macro::TokenStream;
 /// ```
 ///
 /// The path is that of a folder with a `device.toml`, or of a TOML file, from the folder of the crate's `Cargo.toml`.
-/// The struct has to be public, as all the types are that name it. A change of the description rebuilds the crate,
+/// The struct has to be public, as all the types are that name it, and has no generics. A change of the description rebuilds the crate,
 /// and errors in it are errors of the code, with the place in the TOML.
 ///
 /// | setting | meaning |
 /// |---|---|
 /// | `path = ".."` | the description |
-/// | `module = ".."` | the name of the module, by default the struct's in snake case |
+/// | `module = ..` | the name of the module, by default the struct's in snake case |
 /// | `member = ".."` | the member of a family of devices that share a description |
-/// | `runtime = ".."` | the path of `devc-runtime`, by default `::devc_runtime` |
+/// | `runtime = ..` | the path of `devc-runtime`, by default `::devc_runtime` |
 #[proc_macro_derive(Device, attributes(device))]
 pub fn device(input: TokenStream) -> TokenStream {
     let root = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();

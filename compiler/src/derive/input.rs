@@ -1,15 +1,16 @@
 //! Reading what the user wrote: a unit struct with a `device` attribute.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::parse::Parse;
+use syn::{Data, DeriveInput, Error, Fields, LitStr, Result, Visibility};
 
-use super::item::{Form, Item};
-use super::settings::{Settings, is_identifier};
-use super::{Fault, module_name};
+use super::errors::{all, both};
+use super::module_name;
+use super::record::{check_generics, fields, item};
+use super::settings::{Settings, Vocabulary};
 
-const FORM: Form = Form {
-    attribute: "device",
-    expected: "a device is a unit struct, such as `pub struct C887;`: the description is all there is to it",
-};
+const DEVICE: Vocabulary =
+    Vocabulary { attribute: "device", keys: &["path", "runtime", "module", "member"], takes_entry: false };
 
 /// The struct and what its attribute says.
 #[derive(Debug)]
@@ -29,28 +30,48 @@ pub(super) struct Input {
 }
 
 impl Input {
-    pub(super) fn parse(tokens: TokenStream) -> Result<Self, Fault> {
-        let Item { attributes, visibility, name, body } = Item::parse(tokens, &FORM)?;
-        let settings = Settings::parse(&attributes, &["path", "runtime", "module", "member"])?;
-        if !matches!(body, TokenTree::Punct(_)) {
-            return Err(Fault::new(name.span(), FORM.expected));
-        }
-        if visibility.to_string() != "pub" {
-            let why = "the types of its process data are public and name it";
-            return Err(Fault::new(name.span(), format!("`{name}` has to be `pub struct {name};`: {why}")));
-        }
-        let (path, span) = settings.text("path")?.ok_or_else(|| {
-            let add = "Add `#[device(path = \"devices/c887\")]`, a path from the folder of Cargo.toml";
-            Fault::new(name.span(), format!("which device is `{name}`? {add}"))
-        })?;
-        let module = match settings.text("module")? {
-            None => module_name(&name),
-            Some((module, span)) if is_identifier(&module) => Ident::new(&module, span),
-            Some((module, span)) => {
-                return Err(Fault::new(span, format!("`{module}` is no name of a module")));
-            }
-        };
-        let (runtime, member) = (settings.runtime()?, settings.text("member")?.map(|(id, _)| id));
-        Ok(Self { name, path, span, runtime, module, member })
+    pub(super) fn parse(tokens: TokenStream) -> Result<Self> {
+        let DeriveInput { attrs, vis, ident: name, generics, data } = item(tokens)?;
+        let generics = check_generics(&name, &generics, "it stands for one device");
+        let checks = all([check_form(data), check_visibility(&vis, &name), generics]);
+        let settings = Settings::parse(&attrs, &DEVICE);
+        let input = settings.and_then(|settings| Self::of(name, &settings));
+        both(checks, input).map(|(_, input)| input)
+    }
+
+    fn of(name: Ident, settings: &Settings) -> Result<Self> {
+        let add = "Add `#[device(path = \"devices/c887\")]`, a path from the folder of Cargo.toml";
+        let missing = || Error::new(name.span(), format!("which device is `{name}`? {add}"));
+        let path = settings.text("path").and_then(|path| path.ok_or_else(missing));
+        let module = settings.name("module", Ident::parse, "name of a module");
+        let names = both(settings.runtime(), module);
+        let ((path, member), (runtime, module)) = both(both(path, settings.text("member")), names)?;
+        Ok(Self {
+            path: path.value(),
+            span: path.span(),
+            runtime,
+            module: module.unwrap_or_else(|| module_name(&name)),
+            member: member.map(LitStr::value),
+            name,
+        })
+    }
+}
+
+fn check_form(data: Data) -> Result<()> {
+    let expected =
+        "a device is a unit struct, such as `pub struct C887;`: the description is all there is to it";
+    match fields(data, expected)? {
+        Fields::Unit => Ok(()),
+        fields => Err(Error::new_spanned(fields, expected)),
+    }
+}
+
+fn check_visibility(visibility: &Visibility, name: &Ident) -> Result<()> {
+    let why = "the types of its process data are public and name it";
+    let message = format!("`{name}` has to be `pub struct {name};`: {why}");
+    match visibility {
+        Visibility::Public(_) => Ok(()),
+        Visibility::Inherited => Err(Error::new(name.span(), message)),
+        less => Err(Error::new_spanned(less, message)),
     }
 }

@@ -4,8 +4,10 @@
 //! running inside the compiler.
 
 mod beneath;
+mod choice;
+mod errors;
+mod expression;
 mod input;
-mod item;
 mod own_pdo;
 mod process_image;
 mod record;
@@ -14,7 +16,9 @@ mod settings;
 use std::path::Path;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::quote;
+use syn::Error;
+use syn::ext::IdentExt;
 
 use crate::diagnostic::render::{Style, text};
 use crate::diagnostic::{Diagnostic, Level};
@@ -27,25 +31,6 @@ use input::Input;
 pub use own_pdo::own_pdo;
 pub use process_image::process_image;
 
-/// Something that keeps the derive from going on, and the place in the user's code that it is about.
-#[derive(Debug)]
-struct Fault {
-    span: Span,
-    message: String,
-}
-
-impl Fault {
-    fn new(span: Span, message: impl Into<String>) -> Self {
-        Self { span, message: message.into() }
-    }
-
-    /// The error as rustc shows it.
-    fn tokens(&self) -> TokenStream {
-        let message = &self.message;
-        quote_spanned!(self.span=> ::core::compile_error!(#message);)
-    }
-}
-
 /// Expands `#[derive(Device)] #[device(path = "..")] pub struct Name;`.
 ///
 /// `path` is taken from `root`, the folder of the user's manifest. The result is the implementation of `Device` and a
@@ -54,7 +39,7 @@ impl Fault {
 pub fn expand(input: TokenStream, root: &Path, loader: &dyn Loader) -> TokenStream {
     match Input::parse(input) {
         Ok(input) => expand_input(&input, root, loader),
-        Err(fault) => fault.tokens(),
+        Err(error) => error.into_compile_error(),
     }
 }
 
@@ -85,7 +70,7 @@ fn choose<'f>(input: &Input, family: &'f Family) -> Result<&'f Device, TokenStre
             Some(id) => format!("`{}` has no member `{id}`, but {}", family.id, ids.join(", ")),
             None => format!("`{}` is a family: add `member = \"..\"`, one of {}", family.id, ids.join(", ")),
         };
-        Fault::new(input.span, message).tokens()
+        Error::new(input.span, message).into_compile_error()
     })
 }
 
@@ -103,8 +88,8 @@ fn module(input: &Input, device: &Device) -> TokenStream {
 /// An error for each message, with the place in the description in its text.
 fn errors(input: &Input, compilation: &Compilation) -> TokenStream {
     let errors = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level == Level::Error);
-    let shown = errors.map(|error| Fault::new(input.span, message(error, compilation)).tokens());
-    shown.collect()
+    let shown = errors.map(|error| Error::new(input.span, message(error, compilation)));
+    shown.map(Error::into_compile_error).collect()
 }
 
 /// The message as on the command line, but for the word `error`, which rustc puts before it.
@@ -148,7 +133,7 @@ fn located(path: &TokenStream, span: Span) -> TokenStream {
 fn module_name(name: &Ident) -> Ident {
     let mut id = String::new();
     let mut before = '-';
-    for c in name.to_string().chars() {
+    for c in name.unraw().to_string().chars() {
         if c.is_uppercase() && (before.is_lowercase() || before.is_ascii_digit()) {
             id.push('-');
         }

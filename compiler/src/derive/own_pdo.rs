@@ -4,33 +4,34 @@
 //! The description is not read again: that an entry is there, is this device's, has the field's type and may be
 //! mapped is in the types of the device's module, and its limits are in constants.
 
-use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
+use syn::{Error, Path, Result, Type, Visibility};
 
-use super::item::Form;
+use super::choice::Choice;
+use super::errors::{all, both};
+use super::located;
 use super::record::{Field, Record};
-use super::settings::Settings;
-use super::{Fault, located};
+use super::settings::{Settings, Vocabulary};
 
-const FORM: Form = Form {
-    attribute: "pdo",
-    expected: "expected a struct with named fields and no generics, such as `#[pdo(mapping = s700::FreeRxPdo1600)] pub struct Setpoints { pub controlword: Controlword }`",
-};
+const FIELD: Vocabulary = Vocabulary { attribute: "pdo", keys: &["gap"], takes_entry: true };
+
+const EXPECTED: &str = "expected a struct with named fields, such as `#[pdo(mapping = s700::FreeRxPdo1600)] pub struct Setpoints { pub controlword: Controlword }`";
 
 /// Expands the derive on a struct whose fields are entries.
 pub fn own_pdo(input: TokenStream) -> TokenStream {
-    let pdo = Record::parse(input, &FORM).and_then(|record| OwnPdo::of(&record));
-    pdo.map_or_else(|fault| fault.tokens(), |pdo| pdo.tokens())
+    let pdo = Record::parse(input, EXPECTED).and_then(OwnPdo::of);
+    pdo.map_or_else(Error::into_compile_error, |pdo| pdo.tokens())
 }
 
 /// A PDO mapped by the user.
 struct OwnPdo {
     name: Ident,
-    visibility: TokenStream,
+    visibility: Visibility,
     /// The path of the runtime crate.
     runtime: TokenStream,
     /// The type of the free PDO.
-    free: TokenStream,
+    free: Path,
     /// The type of the axes, if each has the PDO.
     axis: Option<TokenStream>,
     fields: Vec<Mapped>,
@@ -42,7 +43,7 @@ struct OwnPdo {
 struct Mapped {
     name: Ident,
     span: Span,
-    content: TokenStream,
+    content: Type,
     /// Bits in front of it.
     gap: Option<u8>,
     /// The typed entry, an expression, in which there may be an `axis`.
@@ -54,34 +55,22 @@ struct Mapped {
 }
 
 impl OwnPdo {
-    fn of(record: &Record) -> Result<Self, Fault> {
-        let settings = Settings::parse(&record.attributes, &["mapping", "per_axis", "gap", "runtime"])?;
-        let runtime = settings.runtime()?;
-        let missing = || {
-            Fault::new(record.name.span(), "which PDO is mapped? Add `#[pdo(mapping = s700::FreeRxPdo1600)]`")
-        };
-        let free = settings.get("mapping").cloned().ok_or_else(missing)?;
-        if record.fields.is_empty() {
-            let message = "nothing is mapped: expected fields such as `pub controlword: Controlword`";
-            return Err(Fault::new(record.name.span(), message));
-        }
-        let module = parent(&free);
-        let axis = settings.get("per_axis").map(|_| quote!(#module Axis));
+    fn of(record: Record) -> Result<Self> {
+        let empty = "nothing is mapped: expected fields such as `pub controlword: Controlword`";
+        let settings = all(record.fields.iter().map(|field| {
+            let settings = Settings::parse(&field.attributes, &FIELD)?;
+            Ok((settings.number("gap", "bits")?, settings.entry))
+        }));
+        let (_, (choice, settings)) = both(record.check(empty), both(Choice::of(&record), settings))?;
         let (mut fields, mut offset) = (Vec::new(), quote!(0));
-        for field in &record.fields {
-            let mapped = Mapped::of(field, &module, axis.is_some(), &offset, &runtime)?;
+        for (field, (gap, entry)) in record.fields.into_iter().zip(settings) {
+            let entry = choice.entry(&field.name, entry);
+            let mapped = Mapped::of(field, gap, entry, &offset, &choice.runtime);
             offset = mapped.end.clone();
             fields.push(mapped);
         }
-        Ok(Self {
-            name: record.name.clone(),
-            visibility: record.visibility.clone(),
-            runtime,
-            free,
-            axis,
-            fields,
-            gap: settings.number("gap", "bits")?,
-        })
+        let Choice { runtime, free, axis, gap } = choice;
+        Ok(Self { name: record.name, visibility: record.visibility, runtime, free, axis, fields, gap })
     }
 
     fn tokens(&self) -> TokenStream {
@@ -209,7 +198,7 @@ impl OwnPdo {
             })
             .collect();
         let (axes, _) = self.axes();
-        let span = free.clone().into_iter().last().map_or_else(|| self.name.span(), |token| token.span());
+        let span = free.segments.last().map_or_else(|| self.name.span(), |name| name.ident.span());
         let runtime = located(runtime, span);
         let whole = quote_spanned!(span=> const _: () = #runtime::pdo::check_mapping::<#free>(#axes););
         quote!(#(#limits)* #whole)
@@ -218,10 +207,10 @@ impl OwnPdo {
     fn view(&self) -> TokenStream {
         let (name, runtime, visibility, length) =
             (&self.name, &self.runtime, &self.visibility, self.length());
-        let view = format_ident!("{name}View");
+        let view = format_ident!("{}View", name);
         let lines = self.fields.iter().map(|field| {
             let (name, content, offset) = (&field.name, &field.content, &field.offset);
-            let setter = format_ident!("set_{}", name.to_string().trim_start_matches("r#"));
+            let setter = format_ident!("set_{}", name);
             quote!(#name, #setter: #content => #offset, <#content as #runtime::object::Value>::BITS;)
         });
         quote! {
@@ -235,29 +224,16 @@ impl OwnPdo {
 
 impl Mapped {
     fn of(
-        field: &Field,
-        module: &TokenStream,
-        per_axis: bool,
+        field: Field,
+        gap: Option<u8>,
+        entry: TokenStream,
         offset: &TokenStream,
         runtime: &TokenStream,
-    ) -> Result<Self, Fault> {
-        let (name, content) = (field.name.clone(), field.content.clone());
-        let (entry, settings) = Settings::beside(&field.attributes, &["gap"])?;
-        let entry = match entry {
-            Some(entry) => entry,
-            None => {
-                let id = name.to_string();
-                let id = id.trim_start_matches("r#");
-                let id = if per_axis { id.to_owned() } else { id.to_ascii_uppercase() };
-                let (constant, module) = (Ident::new(&id, name.span()), located(module, name.span()));
-                quote!(#module objects::#constant)
-            }
-        };
-        let entry = if per_axis && is_function(&entry) { quote!(#entry(axis)) } else { entry };
-        let gap = settings.number("gap", "bits")?;
+    ) -> Self {
+        let (span, Field { name, content, .. }) = (field.span(), field);
         let offset = behind(offset.clone(), gap);
         let end = quote!(#offset + <#content as #runtime::object::Value>::BITS);
-        Ok(Self { span: field.span(), name, content, gap, entry, offset, end })
+        Self { span, name, content, gap, entry, offset, end }
     }
 
     /// How many lines of the mapping it takes.
@@ -277,21 +253,5 @@ fn behind(bit: TokenStream, gap: Option<u8>) -> TokenStream {
     match gap.map(Literal::u8_unsuffixed) {
         Some(gap) => quote!(#bit + #gap),
         None => bit,
-    }
-}
-
-/// The path of what a type is in, with the colons behind it; nothing if it is named alone.
-fn parent(path: &TokenStream) -> TokenStream {
-    let tokens: Vec<TokenTree> = path.clone().into_iter().collect();
-    let length = tokens.len().saturating_sub(1);
-    tokens.into_iter().take(length).collect()
-}
-
-/// Whether a path names a function: constants are in capitals, and what is called has its arguments already.
-fn is_function(path: &TokenStream) -> bool {
-    match path.clone().into_iter().last() {
-        Some(TokenTree::Ident(name)) => name.to_string().chars().any(char::is_lowercase),
-        Some(TokenTree::Group(group)) => group.delimiter() != Delimiter::Parenthesis,
-        _ => false,
     }
 }

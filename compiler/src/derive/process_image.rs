@@ -4,28 +4,32 @@
 //! these are evaluated.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::{Error, Expr, Result, Visibility};
 
-use super::item::Form;
+use super::errors::{all, both};
+use super::expression::number;
+use super::located;
 use super::record::{Field, Record};
-use super::settings::{Settings, number};
-use super::{Fault, located};
+use super::settings::{Settings, Vocabulary};
 
-const FORM: Form = Form {
-    attribute: "image",
-    expected: "expected a struct with named fields and no generics, such as `pub struct Outputs { pub axes: [RxPdo1600; 6] }`",
-};
+const IMAGE: Vocabulary = Vocabulary { attribute: "image", keys: &["runtime"], takes_entry: false };
+const FIELD: Vocabulary = Vocabulary { attribute: "image", keys: &["axis"], takes_entry: false };
+
+const EXPECTED: &str =
+    "expected a struct with named fields, such as `pub struct Outputs { pub axes: [RxPdo1600; 6] }`";
 
 /// Expands the derive on a struct whose fields are PDOs or arrays of PDOs.
 pub fn process_image(input: TokenStream) -> TokenStream {
-    let image = Record::parse(input, &FORM).and_then(|record| Image::of(&record));
-    image.map_or_else(|fault| fault.tokens(), |image| image.tokens())
+    let image = Record::parse(input, EXPECTED).and_then(Image::of);
+    image.map_or_else(Error::into_compile_error, |image| image.tokens())
 }
 
 /// A process image.
 struct Image {
     name: Ident,
-    visibility: TokenStream,
+    visibility: Visibility,
     /// The path of the runtime crate.
     runtime: TokenStream,
     parts: Vec<Part>,
@@ -48,21 +52,17 @@ struct Part {
 }
 
 impl Image {
-    fn of(record: &Record) -> Result<Self, Fault> {
-        let settings = Settings::parse(&record.attributes, &["runtime"])?;
-        let runtime = settings.runtime()?;
-        let (mut parts, mut offset, mut place) = (Vec::new(), quote!(0), 0);
-        for field in &record.fields {
-            let part = Part::of(field, &offset, place)?;
-            offset = part.end(&runtime);
-            place += part.number();
-            parts.push(part);
+    fn of(record: Record) -> Result<Self> {
+        let empty = "no PDO is in it: expected fields such as `pub axes: [RxPdo1600; 6]`";
+        let runtime = Settings::parse(&record.attributes, &IMAGE).and_then(|settings| settings.runtime());
+        let parts = all(record.fields.iter().map(Part::of));
+        let (_, (runtime, mut parts)) = both(record.check(empty), both(runtime, parts))?;
+        let (mut offset, mut place) = (quote!(0), 0);
+        for part in &mut parts {
+            (part.offset, part.place) = (offset, place);
+            (offset, place) = (part.end(&runtime), place + part.number());
         }
-        if parts.is_empty() {
-            let message = "no PDO is in it: expected fields such as `pub axes: [RxPdo1600; 6]`";
-            return Err(Fault::new(record.name.span(), message));
-        }
-        Ok(Self { name: record.name.clone(), visibility: record.visibility.clone(), runtime, parts })
+        Ok(Self { name: record.name, visibility: record.visibility, runtime, parts })
     }
 
     fn tokens(&self) -> TokenStream {
@@ -150,7 +150,7 @@ impl Image {
 
     fn view(&self) -> TokenStream {
         let (name, runtime, visibility) = (&self.name, &self.runtime, &self.visibility);
-        let view = format_ident!("{name}View");
+        let view = format_ident!("{}View", name);
         let lines = self.parts.iter().map(Part::line);
         quote! {
             #runtime::view! {
@@ -162,15 +162,29 @@ impl Image {
 }
 
 impl Part {
-    fn of(field: &Field, offset: &TokenStream, place: usize) -> Result<Self, Fault> {
-        let settings = Settings::parse(&field.attributes, &["axis"])?;
+    /// A field that has no place yet.
+    fn of(field: &Field) -> Result<Self> {
+        let axis = Settings::parse(&field.attributes, &FIELD).and_then(|settings| {
+            let number = |axis: &Expr| {
+                let here = Span::call_site().located_at(axis.span());
+                quote_spanned!(here=> ((#axis) as u8))
+            };
+            Ok(settings.value("axis")?.map_or_else(|| quote!(0), number))
+        });
         let (pdo, count) = match field.array() {
-            Some((pdo, count)) => (pdo, Some(number(&count, field.span(), "PDOs")?.into())),
-            None => (field.content.clone(), None),
+            Some((pdo, count)) => (pdo, number(count, "PDOs").map(|count| Some(count.into()))),
+            None => (&field.content, Ok(None)),
         };
-        let axis = settings.get("axis").map_or_else(|| quote!(0), |axis| quote!(((#axis) as u8)));
-        let (name, offset) = (field.name.clone(), offset.clone());
-        Ok(Self { name, span: field.span(), pdo, count, axis, offset, place })
+        let (axis, count) = both(axis, count)?;
+        Ok(Self {
+            name: field.name.clone(),
+            span: field.span(),
+            pdo: pdo.to_token_stream(),
+            count,
+            axis,
+            offset: TokenStream::new(),
+            place: 0,
+        })
     }
 
     /// Its PDO as process data: what follows is an item of the trait.
@@ -232,7 +246,7 @@ impl Part {
     /// The line of the view.
     fn line(&self) -> TokenStream {
         let (name, pdo, offset) = (&self.name, &self.pdo, &self.offset);
-        let name_mut = format_ident!("{}_mut", name.to_string().trim_start_matches("r#"));
+        let name_mut = format_ident!("{}_mut", name);
         let content = match self.count {
             Some(count) => {
                 let variables = self.variables(count);

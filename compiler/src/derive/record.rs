@@ -1,103 +1,94 @@
-//! Reading a struct with named fields, as the user wrote it.
+//! Structs as users write them.
 
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::spanned::Spanned;
+use syn::{Attribute, Data, DeriveInput, Error, Expr, Fields, Generics, Result, Type, Visibility};
 
-use super::Fault;
-use super::item::{Form, Item, Tokens, attributes, visibility};
-
-/// A struct with named fields and without generics.
-#[derive(Debug)]
+/// A struct with named fields.
 pub(super) struct Record {
-    /// The content of each attribute of the derive.
-    pub(super) attributes: Vec<TokenStream>,
-    /// `pub` or less.
-    pub(super) visibility: TokenStream,
+    pub(super) attributes: Vec<Attribute>,
+    pub(super) visibility: Visibility,
     pub(super) name: Ident,
+    generics: Generics,
     pub(super) fields: Vec<Field>,
 }
 
 /// A field of it.
-#[derive(Debug)]
 pub(super) struct Field {
-    /// The content of each attribute of the derive.
-    pub(super) attributes: Vec<TokenStream>,
+    pub(super) attributes: Vec<Attribute>,
     pub(super) name: Ident,
-    pub(super) content: TokenStream,
+    pub(super) content: Type,
 }
 
 impl Field {
+    fn of(field: syn::Field) -> Option<Self> {
+        field.ident.map(|name| Self { attributes: field.attrs, name, content: field.ty })
+    }
+
     /// The element and the number, if the field is an array.
-    pub(super) fn array(&self) -> Option<(TokenStream, TokenStream)> {
-        let mut tokens = self.content.clone().into_iter();
-        let (Some(TokenTree::Group(group)), None) = (tokens.next(), tokens.next()) else { return None };
-        if group.delimiter() != Delimiter::Bracket {
-            return None;
+    pub(super) fn array(&self) -> Option<(&Type, &Expr)> {
+        match bare(&self.content) {
+            Type::Array(array) => Some((&array.elem, &array.len)),
+            _ => None,
         }
-        let mut element = TokenStream::new();
-        let mut tokens = group.stream().into_iter();
-        for token in tokens.by_ref() {
-            match token {
-                TokenTree::Punct(punct) if punct.as_char() == ';' => {
-                    return Some((element, tokens.collect()));
-                }
-                token => element.extend([token]),
-            }
-        }
-        None
     }
 
     /// Where its type is written.
     pub(super) fn span(&self) -> Span {
-        self.content.clone().into_iter().next().map_or_else(|| self.name.span(), |token| token.span())
+        bare(&self.content).span()
     }
 }
 
 impl Record {
-    pub(super) fn parse(tokens: TokenStream, form: &Form) -> Result<Self, Fault> {
-        let Item { attributes, visibility, name, body } = Item::parse(tokens, form)?;
-        match body {
-            TokenTree::Group(body) if body.delimiter() == Delimiter::Brace => {
-                let fields = fields(body.stream(), form)?;
-                Ok(Self { attributes, visibility, name, fields })
-            }
-            _ => Err(Fault::new(name.span(), form.expected)),
-        }
-    }
-}
-
-fn fields(body: TokenStream, form: &Form) -> Result<Vec<Field>, Fault> {
-    let mut tokens = body.into_iter().peekable();
-    let mut fields = Vec::new();
-    while tokens.peek().is_some() {
-        let attributes = attributes(&mut tokens, form)?;
-        visibility(&mut tokens);
-        let name = match (tokens.next(), tokens.next()) {
-            (Some(TokenTree::Ident(name)), Some(TokenTree::Punct(colon))) if colon.as_char() == ':' => name,
-            (token, _) => {
-                let span = token.map_or_else(Span::call_site, |token| token.span());
-                return Err(Fault::new(span, "expected a field with a name"));
-            }
+    /// Reads a struct; what is no such struct is told what is `expected`.
+    pub(super) fn parse(tokens: TokenStream, expected: &str) -> Result<Self> {
+        let DeriveInput { attrs: attributes, vis: visibility, ident: name, generics, data } = item(tokens)?;
+        let fields = match fields(data, expected)? {
+            Fields::Named(fields) => fields.named.into_iter().filter_map(Field::of).collect(),
+            Fields::Unnamed(fields) => return Err(Error::new_spanned(fields, expected)),
+            Fields::Unit => return Err(Error::new(name.span(), expected)),
         };
-        fields.push(Field { attributes, name, content: content(&mut tokens) });
+        Ok(Self { attributes, visibility, name, generics, fields })
     }
-    Ok(fields)
+
+    /// Refuses generics, and a struct without fields.
+    pub(super) fn check(&self, empty: &str) -> Result<()> {
+        check_generics(&self.name, &self.generics, "where its bytes lie is settled here, once for all")?;
+        if self.fields.is_empty() { Err(Error::new(self.name.span(), empty)) } else { Ok(()) }
+    }
 }
 
-/// A type: all up to the comma that is not within `<` and `>`.
-fn content(tokens: &mut Tokens) -> TokenStream {
-    let mut content = TokenStream::new();
-    let (mut depth, mut before) = (0_u32, ' ');
-    for token in tokens {
-        let punct = if let TokenTree::Punct(punct) = &token { punct.as_char() } else { ' ' };
-        match punct {
-            ',' if depth == 0 => break,
-            '<' => depth += 1,
-            // the arrow of a function's type is none
-            '>' if before != '-' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        before = punct;
-        content.extend([token]);
+/// Reads a struct, an enum or a union. rustc has read it before; so what is refused is right, but beyond what syn reads
+/// without its feature `full`, such as a branch in the length of an array.
+pub(super) fn item(tokens: TokenStream) -> Result<DeriveInput> {
+    let beyond = "the derive cannot read this: give it a name, as a constant or a type, and write that";
+    syn::parse2(tokens).map_err(|error| Error::new(error.span(), beyond))
+}
+
+/// The fields of a struct; refuses what is none.
+pub(super) fn fields(data: Data, expected: &str) -> Result<Fields> {
+    match data {
+        Data::Struct(data) => Ok(data.fields),
+        Data::Enum(data) => Err(Error::new(data.enum_token.span, expected)),
+        Data::Union(data) => Err(Error::new(data.union_token.span, expected)),
     }
-    content
+}
+
+/// Refuses parameters. A where clause without any holds, or rustc refuses the struct; so nothing depends on it.
+pub(super) fn check_generics(name: &Ident, generics: &Generics, why: &str) -> Result<()> {
+    if generics.params.is_empty() {
+        return Ok(());
+    }
+    Err(Error::new_spanned(generics, format!("`{name}` cannot have generics: {why}")))
+}
+
+/// A type without the marks around it of a macro that it comes from, and without parentheses.
+fn bare(mut content: &Type) -> &Type {
+    loop {
+        content = match content {
+            Type::Group(group) => &group.elem,
+            Type::Paren(paren) => &paren.elem,
+            content => return content,
+        }
+    }
 }

@@ -1,161 +1,159 @@
 //! The settings in attributes: `key = value` or a key alone, with commas between.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream};
+use quote::ToTokens;
+use syn::ext::IdentExt;
+use syn::parse::discouraged::Speculative;
+use syn::parse::{ParseStream, Parser};
+use syn::{Attribute, Error, Expr, Lit, LitStr, Path, Result, Token};
 
-use super::Fault;
+use super::errors::all;
+use super::expression::{bare, check_end, expression, number, text, up_to_comma};
 use crate::emit::rust::Options;
 
-/// The settings of an item, each of which may be there once.
-#[derive(Debug, Default)]
+/// What there is to say in an attribute.
+pub(super) struct Vocabulary {
+    /// The name of the attribute.
+    pub(super) attribute: &'static str,
+    /// The keys that there are.
+    pub(super) keys: &'static [&'static str],
+    /// Whether an entry may stand beside the settings.
+    pub(super) takes_entry: bool,
+}
+
+/// What the attributes of an item say: settings, each of which may be there once.
+#[derive(Default)]
 pub(super) struct Settings {
-    settings: Vec<(Ident, TokenStream)>,
+    settings: Vec<(Ident, Option<Expr>)>,
+    /// What stands beside them.
+    pub(super) entry: Option<Expr>,
 }
 
 impl Settings {
-    /// Reads the content of attributes; `known` are the keys that there are.
-    pub(super) fn parse(attributes: &[TokenStream], known: &[&str]) -> Result<Self, Fault> {
-        match Self::beside(attributes, known)? {
-            (None, settings) => Ok(settings),
-            (Some(other), _) => Err(no_setting(other, known)),
+    pub(super) fn parse(attributes: &[Attribute], vocabulary: &Vocabulary) -> Result<Self> {
+        let (mut settings, mut pieces) = (Self::default(), Vec::new());
+        for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident(vocabulary.attribute))
+        {
+            let whole = attribute.parse_args_with(|input: ParseStream<'_>| {
+                while !input.is_empty() {
+                    pieces.push(settings.piece(input, vocabulary).and_then(|()| check_end(input)));
+                    up_to_comma(input)?;
+                    input.parse::<Option<Token![,]>>()?;
+                }
+                Ok(())
+            });
+            pieces.push(whole);
+        }
+        all(pieces).map(|_| settings)
+    }
+
+    /// Reads what is in front of the next comma.
+    fn piece(&mut self, input: ParseStream<'_>, vocabulary: &Vocabulary) -> Result<()> {
+        match vocabulary.key(input) {
+            Some(key) => self.setting(key, input, vocabulary),
+            None => self.other(expression(input)?, vocabulary),
         }
     }
 
-    /// The same where something may stand beside them that is no setting.
-    pub(super) fn beside(
-        attributes: &[TokenStream],
-        known: &[&str],
-    ) -> Result<(Option<TokenStream>, Self), Fault> {
-        let (mut beside, mut settings) = (None, Self::default());
-        for piece in attributes.iter().flat_map(pieces) {
-            match settings.take(piece, known)? {
-                Some(other) if beside.is_some() => return Err(no_setting(other, known)),
-                Some(other) => beside = Some(other),
-                None => {}
-            }
+    /// Reads what is behind a key.
+    fn setting(&mut self, key: Ident, input: ParseStream<'_>, vocabulary: &Vocabulary) -> Result<()> {
+        let is_set = input.parse::<Option<Token![=]>>()?.is_some();
+        let value = is_set.then(|| expression(input)).transpose()?;
+        if !vocabulary.knows(&key) {
+            return Err(vocabulary.unknown(&key));
         }
-        Ok((beside, settings))
+        if self.find(&key.to_string()).is_some() {
+            return Err(Error::new(key.span(), format!("`{key}` is set twice")));
+        }
+        self.settings.push((key, value));
+        Ok(())
     }
 
-    /// Takes a setting, and gives back what is none.
-    fn take(&mut self, piece: TokenStream, known: &[&str]) -> Result<Option<TokenStream>, Fault> {
-        let mut tokens = piece.clone().into_iter();
-        let (Some(TokenTree::Ident(key)), mark) = (tokens.next(), tokens.next()) else {
-            return Ok(Some(piece));
-        };
-        let is_known = known.iter().any(|known| key == known);
-        match mark {
-            None if !is_known => Ok(Some(piece)),
-            Some(mark) if !is(&mark, '=') => Ok(Some(piece)),
-            Some(_) if !is_known => Err(unknown(&key, known)),
-            _ if self.find(&key.to_string()).is_some() => {
-                Err(Fault::new(key.span(), format!("`{key}` is set twice")))
-            }
-            _ => {
-                self.settings.push((key, tokens.collect()));
-                Ok(None)
-            }
+    /// Takes what is no setting.
+    fn other(&mut self, other: Expr, vocabulary: &Vocabulary) -> Result<()> {
+        if !vocabulary.takes_entry {
+            return Err(vocabulary.unknown(&other));
         }
+        if self.entry.is_some() {
+            return Err(Error::new_spanned(other, "an entry is named already"));
+        }
+        self.entry = Some(other);
+        Ok(())
     }
 
-    fn find(&self, key: &str) -> Option<&(Ident, TokenStream)> {
+    fn find(&self, key: &str) -> Option<&(Ident, Option<Expr>)> {
         self.settings.iter().find(|(known, _)| known == key)
     }
 
-    /// The value of a key; empty if the key stands alone.
-    pub(super) fn get(&self, key: &str) -> Option<&TokenStream> {
-        self.find(key).map(|(_, value)| value)
+    /// Whether a key is there that takes no value.
+    pub(super) fn flag(&self, key: &str) -> Result<bool> {
+        match self.find(key) {
+            Some((_, Some(value))) => Err(Error::new_spanned(value, format!("`{key}` takes no value"))),
+            found => Ok(found.is_some()),
+        }
     }
 
-    /// The text that a key is set to, and where it is written.
-    pub(super) fn text(&self, key: &str) -> Result<Option<(String, Span)>, Fault> {
-        let Some((key, value)) = self.find(key) else { return Ok(None) };
-        let mut tokens = value.clone().into_iter();
-        let token = tokens.next();
-        let span = token.as_ref().map_or_else(|| key.span(), TokenTree::span);
-        match (token.and_then(|token| unquoted(&token.to_string())), tokens.next()) {
-            (Some(text), None) => Ok(Some((text, span))),
-            (Some(_), Some(other)) => Err(Fault::new(other.span(), "expected a comma")),
-            (None, _) => Err(Fault::new(span, format!("expected `{key} = \"..\"`, a plain text"))),
+    /// What a key is set to.
+    pub(super) fn value(&self, key: &str) -> Result<Option<&Expr>> {
+        match self.find(key) {
+            Some((key, None)) => Err(Error::new(key.span(), format!("expected `{key} = ..`"))),
+            found => Ok(found.and_then(|(_, value)| value.as_ref())),
         }
+    }
+
+    /// The text that a key is set to.
+    pub(super) fn text(&self, key: &str) -> Result<Option<&LitStr>> {
+        let Some(value) = self.value(key)? else { return Ok(None) };
+        let expected = || Error::new_spanned(value, format!("expected `{key} = \"..\"`, a plain text"));
+        text(value).map(Some).ok_or_else(expected)
     }
 
     /// The number that a key is set to.
-    pub(super) fn number(&self, key: &str, of: &str) -> Result<Option<u8>, Fault> {
-        let Some((key, value)) = self.find(key) else { return Ok(None) };
-        number(value, key.span(), of).map(Some)
+    pub(super) fn number(&self, key: &str, of: &str) -> Result<Option<u8>> {
+        self.value(key)?.map(|value| number(value, of)).transpose()
     }
 
-    /// The path of the runtime crate, written as a path or as a text.
-    pub(super) fn runtime(&self) -> Result<TokenStream, Fault> {
-        let Some((key, value)) = self.find("runtime") else { return Ok(Options::default().runtime) };
-        let path = match self.text("runtime") {
-            Ok(Some((text, _))) => text,
-            _ => value.to_string(),
+    /// The name that a key is set to, as it is or as a text; `what` says of what.
+    pub(super) fn name<P: Parser>(&self, key: &str, parser: P, what: &str) -> Result<Option<P::Output>> {
+        let Some(value) = self.value(key)? else { return Ok(None) };
+        let (written, name) = match text(value) {
+            Some(text) => (text.value(), text.parse_with(parser)),
+            None => {
+                let tokens = bare(value).to_token_stream();
+                (tokens.to_string(), parser.parse2(tokens))
+            }
         };
-        let is_path = path.trim_start_matches("::").split("::").all(|name| is_identifier(name.trim()));
-        match path.parse() {
-            Ok(tokens) if is_path => Ok(tokens),
-            _ => Err(Fault::new(key.span(), format!("`{path}` is no path of a crate or module"))),
-        }
+        name.map(Some).map_err(|_| Error::new_spanned(value, format!("`{written}` is no {what}")))
+    }
+
+    /// The path of the runtime crate.
+    pub(super) fn runtime(&self) -> Result<TokenStream> {
+        let path = self.name("runtime", Path::parse_mod_style, "path of a crate or module")?;
+        Ok(path.map_or_else(|| Options::default().runtime, Path::into_token_stream))
     }
 }
 
-/// A number from 1 to 255 in digits; `of` says what is counted.
-pub(super) fn number(tokens: &TokenStream, otherwise: Span, of: &str) -> Result<u8, Fault> {
-    let mut tokens = tokens.clone().into_iter();
-    let (token, rest) = (tokens.next(), tokens.next());
-    let span = token.as_ref().map_or(otherwise, TokenTree::span);
-    let number = token.and_then(|token| token.to_string().parse().ok()).filter(|_| rest.is_none());
-    match number {
-        Some(number @ 1..) => Ok(number),
-        _ => Err(Fault::new(span, format!("expected the number of {of} in digits, from 1 to 255"))),
+impl Vocabulary {
+    fn knows(&self, key: &Ident) -> bool {
+        self.keys.iter().any(|known| key == known)
     }
-}
 
-/// Whether a text can be the name of something.
-pub(super) fn is_identifier(text: &str) -> bool {
-    text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
-        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-        && text != "_"
-}
-
-fn is(token: &TokenTree, mark: char) -> bool {
-    matches!(token, TokenTree::Punct(punct) if punct.as_char() == mark)
-}
-
-/// What is between commas.
-fn pieces(attribute: &TokenStream) -> Vec<TokenStream> {
-    let tokens: Vec<TokenTree> = attribute.clone().into_iter().collect();
-    let pieces = tokens.split(|token| is(token, ',')).filter(|piece| !piece.is_empty());
-    pieces.map(|piece| piece.iter().cloned().collect()).collect()
-}
-
-fn unknown(key: &Ident, known: &[&str]) -> Fault {
-    let known: Vec<String> = known.iter().map(|key| format!("`{key}`")).collect();
-    Fault::new(key.span(), format!("there is no setting `{key}`, but {}", known.join(", ")))
-}
-
-fn no_setting(piece: TokenStream, known: &[&str]) -> Fault {
-    let mut tokens = piece.into_iter();
-    match (tokens.next(), tokens.next()) {
-        (Some(TokenTree::Ident(key)), Some(other)) if known.iter().any(|known| key == known) => {
-            Fault::new(other.span(), "expected `=` or a comma")
-        }
-        (Some(TokenTree::Ident(key)), _) => unknown(&key, known),
-        (token, _) => {
-            let span = token.map_or_else(Span::call_site, |token| token.span());
-            Fault::new(span, "expected a setting")
-        }
+    /// Takes the key of a setting: it is before a `=`, or known and alone.
+    fn key(&self, input: ParseStream<'_>) -> Option<Ident> {
+        let ahead = input.fork();
+        let key = ahead.call(Ident::parse_any).ok()?;
+        let is_set = ahead.peek(Token![=]) && !ahead.peek(Token![==]);
+        let is_alone = ahead.is_empty() || ahead.peek(Token![,]) || ahead.peek(Lit);
+        (is_set || is_alone && self.knows(&key)).then(|| {
+            input.advance_to(&ahead);
+            key
+        })
     }
-}
 
-/// The text of a string literal; none if it is another literal, or if it has escapes that no path needs.
-fn unquoted(literal: &str) -> Option<String> {
-    if let Some(raw) = literal.strip_prefix('r') {
-        let raw = raw.trim_matches('#');
-        return raw.strip_prefix('"')?.strip_suffix('"').map(str::to_owned);
+    fn unknown(&self, found: &impl ToTokens) -> Error {
+        let keys: Vec<String> = self.keys.iter().map(|key| format!("`{key}`")).collect();
+        let found = found.to_token_stream();
+        let message = format!("there is no setting `{found}`, but {}", keys.join(", "));
+        Error::new_spanned(found, message)
     }
-    let inner = literal.strip_prefix('"')?.strip_suffix('"')?;
-    let plain = inner.replace("\\\\", "/").replace("\\\"", "");
-    (!plain.contains('\\')).then(|| inner.replace("\\\\", "\\").replace("\\\"", "\""))
 }

@@ -46,6 +46,7 @@ mod words;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+#[cfg(feature = "derive")]
 pub(crate) use head::identity;
 pub use names::{camel, snake};
 #[cfg(feature = "rust")]
