@@ -1030,15 +1030,21 @@ pub mod double {
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
         ///
         /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
-        pub mod profile_jerk_a {
+        pub mod profile_jerk {
             use super::*;
 
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x60A4, 0);
+            pub const fn highest_subindex_supported(axis: Axis) -> Entry<Double, u8, ReadOnly> {
+                axis.entry(0x60A4, 0x800, 0)
+            }
 
-            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<Double, u32, ReadWrite, RxTx> =
-                Entry::new(0x60A4, 1);
+            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            ///
+            /// Corrected, name; the source says: name = Profile jerk, Profile jerk 1. The row repeats the name of
+            /// the object; the table of axis B has the name alone, as the profile does.
+            pub const fn profile_jerk_1(axis: Axis) -> Entry<Double, u32, ReadWrite, RxTx> {
+                axis.entry(0x60A4, 0x800, 1)
+            }
         }
 
         /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (6.9.4.1, Tab. 30, Tab.
@@ -1110,6 +1116,9 @@ pub mod double {
         /// The set position of interpolated position mode: one value, not a set of them.
         ///
         /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        ///
+        /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
+        /// does; with one entry, the kind shows in SDO information only.
         pub mod interpolation_data_record {
             use super::*;
 
@@ -1456,21 +1465,6 @@ pub mod double {
         /// profile, left out.
         pub const fn supported_drive_modes(axis: Axis) -> Entry<Double, SupportedDriveModes, ReadOnly> {
             axis.entry(0x6502, 0x800, 0)
-        }
-
-        /// `0x68A4` Profile jerk.
-        ///
-        /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
-        pub mod profile_jerk_b {
-            use super::*;
-
-            /// `0x68A4:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Double, u8, ReadOnly> = Entry::new(0x68A4, 0);
-
-            /// `0x68A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub const PROFILE_JERK_1: Entry<Double, u32, ReadWrite, RxTx> = Entry::new(0x68A4, 1);
         }
     }
 
@@ -4224,14 +4218,6 @@ pub mod double {
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
             pub sm_input_parameter: SmInputParameter,
-            /// `0x60A4` Profile jerk.
-            ///
-            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub profile_jerk_a: [u32; 1],
-            /// `0x68A4` Profile jerk.
-            ///
-            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub profile_jerk_b: [u32; 1],
             /// What each axis has, in order.
             pub axes: [AxisDictionary; 2],
         }
@@ -4279,8 +4265,6 @@ pub mod double {
                     cycle_time_too_small: 0,
                     sync_error: false,
                 },
-                profile_jerk_a: [0; 1],
-                profile_jerk_b: [0; 1],
                 axes: [AxisDictionary::DEFAULT; 2],
             };
         }
@@ -4393,6 +4377,10 @@ pub mod double {
             pub homing_acceleration: u32,
             /// `0x60A3:00` Profile jerk use. UINT8, rw.
             pub profile_jerk_use: u8,
+            /// `0x60A4` Profile jerk.
+            ///
+            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
             pub velocity_offset: i32,
             /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO.
@@ -4412,7 +4400,9 @@ pub mod double {
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
             pub interpolation_sub_mode_select: i16,
             /// `0x60C1` Interpolation data record.
-            pub interpolation_data_record: InterpolationDataRecord,
+            ///
+            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub interpolation_data_record: [i32; 1],
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -4503,6 +4493,7 @@ pub mod double {
                 },
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
+                profile_jerk: [0; 1],
                 velocity_offset: 0,
                 torque_offset: 0,
                 touch_probe_function: TouchProbeFunction(0),
@@ -4512,7 +4503,7 @@ pub mod double {
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
                 interpolation_sub_mode_select: 0,
-                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
+                interpolation_data_record: [0; 1],
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -4715,13 +4706,6 @@ pub mod double {
             pub speed_during_search_for_zero: u32,
         }
 
-        /// `0x60C1` Interpolation data record.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct InterpolationDataRecord {
-            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub _1st_set_point: i32,
-        }
-
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
@@ -4804,7 +4788,6 @@ pub mod double {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
                 match place.field {
                     0 => Some(sdo::Slot::U32(&mut self.device_type)),
                     1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
@@ -4813,8 +4796,6 @@ pub mod double {
                     4 => self.identity_object.slot(place.item),
                     5 => self.sm_output_parameter.slot(place.item),
                     6 => self.sm_input_parameter.slot(place.item),
-                    7 => self.profile_jerk_a.get_mut(item).map(sdo::Slot::U32),
-                    8 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
                     _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
                 }
             }
@@ -4824,74 +4805,75 @@ pub mod double {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    18 => self.vl_velocity_acceleration.slot(place.item),
-                    19 => self.vl_velocity_deceleration.slot(place.item),
-                    20 => self.vl_velocity_quick_stop.slot(place.item),
-                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    38 => self.position_range_limit.slot(place.item),
-                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    40 => self.software_position_limit.slot(place.item),
-                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    48 => self.gear_ratio.slot(place.item),
-                    49 => self.feed_constant.slot(place.item),
-                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    51 => self.homing_speeds.slot(place.item),
-                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    54 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    55 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    62 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    63 => self.interpolation_data_record.slot(place.item),
-                    64 => self.interpolation_time_period.slot(place.item),
-                    65 => self.interpolation_data_configuration.slot(place.item),
-                    66 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    67 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    68 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    69 => self.supported_homing_methods.slot(place.item),
-                    70 => self.additional_position_actual_value.slot(place.item),
-                    71 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    72 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    73 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    74 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    75 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    76 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    16 => self.vl_velocity_acceleration.slot(place.item),
+                    17 => self.vl_velocity_deceleration.slot(place.item),
+                    18 => self.vl_velocity_quick_stop.slot(place.item),
+                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    36 => self.position_range_limit.slot(place.item),
+                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    38 => self.software_position_limit.slot(place.item),
+                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    46 => self.gear_ratio.slot(place.item),
+                    47 => self.feed_constant.slot(place.item),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    49 => self.homing_speeds.slot(place.item),
+                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    63 => self.interpolation_time_period.slot(place.item),
+                    64 => self.interpolation_data_configuration.slot(place.item),
+                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    68 => self.supported_homing_methods.slot(place.item),
+                    69 => self.additional_position_actual_value.slot(place.item),
+                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -5031,15 +5013,6 @@ pub mod double {
             }
         }
 
-        impl InterpolationDataRecord {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
-                    _ => None,
-                }
-            }
-        }
-
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -5113,7 +5086,7 @@ pub mod double {
                 Page { axis: 0, ..PAGE_28 },
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_68 },
+                Page { axis: 1, ..PAGE_60 },
                 Page { axis: 1, ..PAGE_65 },
                 Page { axis: 1, ..PAGE_20 },
                 Page { axis: 1, ..PAGE_28 },
@@ -5304,7 +5277,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                9,
+                7,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5319,7 +5292,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                10,
+                8,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5341,29 +5314,51 @@ pub mod double {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    10,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     12,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    14,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    17,
+                    15,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    16,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    17,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                     165,
                 ),
                 object(
@@ -5378,85 +5373,77 @@ pub mod double {
                     165,
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    19,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    20,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
                     ObjectCode::Array,
                     0,
-                    21,
+                    19,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    22,
+                    20,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    25,
+                    23,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    28,
+                    26,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    27,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    31,
+                    29,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    32,
+                    30,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    36,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5471,21 +5458,21 @@ pub mod double {
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    39,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    40,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
-                    40,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    41,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5515,26 +5502,20 @@ pub mod double {
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     46,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    47,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    48,
+                    47,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -5542,67 +5523,59 @@ pub mod double {
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    51,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    52,
+                    50,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    7,
+                    52,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    53,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    54,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    56,
+                    55,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
                     0,
-                    63,
+                    62,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    63,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -5613,7 +5586,7 @@ pub mod double {
                 object(
                     ObjectCode::Record,
                     0,
-                    65,
+                    64,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -5628,52 +5601,52 @@ pub mod double {
                 object(
                     ObjectCode::Variable,
                     0,
-                    66,
+                    65,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    67,
+                    66,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    68,
+                    67,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    69,
+                    68,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    70,
+                    69,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    74,
+                    73,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    75,
+                    74,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -5686,368 +5659,13 @@ pub mod double {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 76, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
-        };
-
-        const SLOTS_68: [u8; 193] = positions(
-            0x3F,
-            &[
-                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
-                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
-                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
-                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
-                0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
-            ],
-        );
-
-        const PAGE_68: Page = Page {
-            first: 0x3F,
-            axis: 0,
-            slots: &SLOTS_68,
-            objects: &[
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    12,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    14,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    17,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    18,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    19,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    20,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    21,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    22,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    25,
-                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    28,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    29,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    31,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    32,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    38,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    39,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    40,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    46,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    47,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    48,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    49,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    51,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    52,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    8,
-                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    166,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    54,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    55,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    56,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    63,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    166,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    64,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    65,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
-                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
-                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
-                    ],
-                    167,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    67,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    68,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    69,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    168,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    70,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    166,
-                ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    74,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    166,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    75,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
 
         /// The name of every object and entry, for a firmware that tells what is in its dictionary.
         pub static NAMES: sdo::Names = sdo::Names {
             pages: &[
-                NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65, NAMES_68,
+                NAMES_10, NAMES_16, NAMES_1A, NAMES_1C, NAMES_20, NAMES_28, NAMES_60, NAMES_65, NAMES_60,
                 NAMES_65, NAMES_20, NAMES_28,
             ],
         };
@@ -6116,7 +5734,7 @@ pub mod double {
             "Shaft revolutions", "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions",
             "Homing method", "Homing speeds", "Highest subindex supported", "Speed during search for switch",
             "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
-            "Highest subindex supported", "Profile jerk, Profile jerk 1", "Velocity offset", "Torque offset",
+            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
             "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
             "Touch probe position 1 negative value", "Touch probe position 2 positive value",
             "Touch probe position 2 negative value", "Interpolation sub mode select",
@@ -6141,52 +5759,6 @@ pub mod double {
         ];
 
         const NAMES_65: &[&str] = &["Supported drive modes"];
-
-        const NAMES_68: &[&str] = &[
-            "Error code", "Control word", "Statusword", "vl target velocity", "vl velocity demand",
-            "vl velocity actual value", "vl velocity min max amount", "Highest subindex supported",
-            "vl velocity min amount", "vl velocity max amount", "vl velocity acceleration",
-            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity deceleration",
-            "Highest subindex supported", "Delta Speed", "Delta Time", "vl velocity quick stop",
-            "Highest subindex supported", "Delta Speed", "Delta Time", "vl set-point factor",
-            "Highest subindex supported", "vl set-point factor numerator", "vl set-point factor denominator",
-            "vl dimension factor", "Highest subindex supported", "vl dimension factor numerator",
-            "vl dimension factor denominator", "Quick stop option code", "Fault reaction option code",
-            "Modes of operation", "Modes of operation display", "Position actual value",
-            "Following error window", "Following error time out", "Velocity actual value", "Target torque",
-            "Maximum torque", "Rated torque", "Torque actual value", "Current actual value",
-            "DC link circuit voltage", "Target position", "Highest subindex supported",
-            "Highest subindex supported", "Min. position range limit", "Max. position range limit",
-            "Home offset", "Software position limit", "Highest subindex supported",
-            "Min. position range limit", "Max. position range limit", "Polarity", "Max profile velocity",
-            "Profile velocity", "Profile acceleration", "Profile deceleration", "Quick stop deceleration",
-            "Torque slope", "Gear ratio", "Highest subindex supported", "Motor revolutions",
-            "Shaft revolutions", "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions",
-            "Homing method", "Homing speeds", "Highest subindex supported", "Speed during search for switch",
-            "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
-            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
-            "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
-            "Touch probe position 1 negative value", "Touch probe position 2 positive value",
-            "Touch probe position 2 negative value", "Interpolation sub mode select",
-            "Interpolation data record", "Highest subindex supported", "1st set-point",
-            "Interpolation time period", "Highest subindex supported", "Interpolation time period value",
-            "Interpolation time index", "Interpolation data configuration", "Highest subindex supported",
-            "Maximum buffer size", "Actual buffer size", "Buffer organisation", "Buffer position",
-            "Size of data record", "Buffer clear", "Max acceleration", "Max deceleration",
-            "Touch probe source", "Highest subindex supported", "Touch probe 1 source",
-            "Touch probe 2 source", "Supported homing methods", "Highest subindex supported",
-            "1st supported homing method", "2nd supported homing method", "3rd supported homing method",
-            "4th supported homing method", "5th supported homing method", "6th supported homing method",
-            "7th supported homing method", "8th supported homing method", "9th supported homing method",
-            "10th supported homing method", "11th supported homing method", "12th supported homing method",
-            "13th supported homing method", "14th supported homing method", "15th supported homing method",
-            "16th supported homing method", "17th supported homing method", "18th supported homing method",
-            "19th supported homing method", "20th supported homing method",
-            "Additional position actual value / 1st value", "Highest subindex supported",
-            "1st additional position actual value", "Positioning option code",
-            "Following error actual value", "Digital inputs", "Digital outputs",
-            "Highest subindex supported", "Physical outputs", "Target velocity",
-        ];
     }
 }
 
@@ -7026,9 +6598,11 @@ pub mod single {
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
-            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
-            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<Single, u32, ReadWrite, RxTx> =
-                Entry::new(0x60A4, 1);
+            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            ///
+            /// Corrected, name; the source says: name = Profile jerk, Profile jerk 1. The row repeats the name of
+            /// the object; the table of axis B has the name alone, as the profile does.
+            pub const PROFILE_JERK_1: Entry<Single, u32, ReadWrite, RxTx> = Entry::new(0x60A4, 1);
         }
 
         /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310 (6.9.4.1, Tab. 30, Tab.
@@ -7087,6 +6661,9 @@ pub mod single {
         /// The set position of interpolated position mode: one value, not a set of them.
         ///
         /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        ///
+        /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
+        /// does; with one entry, the kind shows in SDO information only.
         pub mod interpolation_data_record {
             use super::*;
 
@@ -10141,7 +9718,7 @@ pub mod single {
             pub profile_jerk_use: u8,
             /// `0x60A4` Profile jerk.
             ///
-            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
+            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in inc/s³ / 10^A311.
             pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in inc/s / 10^A310.
             pub velocity_offset: i32,
@@ -10162,7 +9739,9 @@ pub mod single {
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
             pub interpolation_sub_mode_select: i16,
             /// `0x60C1` Interpolation data record.
-            pub interpolation_data_record: InterpolationDataRecord,
+            ///
+            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
+            pub interpolation_data_record: [i32; 1],
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -10303,7 +9882,7 @@ pub mod single {
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
                 interpolation_sub_mode_select: 0,
-                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
+                interpolation_data_record: [0; 1],
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -10506,13 +10085,6 @@ pub mod single {
             pub speed_during_search_for_zero: u32,
         }
 
-        /// `0x60C1` Interpolation data record.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct InterpolationDataRecord {
-            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in deg × 45 ÷ 131072.
-            pub _1st_set_point: i32,
-        }
-
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
@@ -10659,7 +10231,7 @@ pub mod single {
                     59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
                     60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
                     61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    62 => self.interpolation_data_record.slot(place.item),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
                     63 => self.interpolation_time_period.slot(place.item),
                     64 => self.interpolation_data_configuration.slot(place.item),
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
@@ -10807,15 +10379,6 @@ pub mod single {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
                     1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataRecord {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
                     _ => None,
                 }
             }
@@ -11350,7 +10913,7 @@ pub mod single {
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
                     0,
                     62,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
@@ -11509,7 +11072,7 @@ pub mod single {
             "Shaft revolutions", "Feed constant", "Highest subindex supported", "Feed", "Shaft revolutions",
             "Homing method", "Homing speeds", "Highest subindex supported", "Speed during search for switch",
             "Speed during search for zero", "Homing acceleration", "Profile jerk use", "Profile jerk",
-            "Highest subindex supported", "Profile jerk, Profile jerk 1", "Velocity offset", "Torque offset",
+            "Highest subindex supported", "Profile jerk 1", "Velocity offset", "Torque offset",
             "Touch probe function", "Touch probe status", "Touch probe position 1 positive value",
             "Touch probe position 1 negative value", "Touch probe position 2 positive value",
             "Touch probe position 2 negative value", "Interpolation sub mode select",
@@ -12581,15 +12144,21 @@ pub mod double_hires {
         /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
         ///
         /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
-        pub mod profile_jerk_a {
+        pub mod profile_jerk {
             use super::*;
 
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x60A4, 0);
+            pub const fn highest_subindex_supported(axis: Axis) -> Entry<DoubleHires, u8, ReadOnly> {
+                axis.entry(0x60A4, 0x800, 0)
+            }
 
-            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<DoubleHires, u32, ReadWrite, RxTx> =
-                Entry::new(0x60A4, 1);
+            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            ///
+            /// Corrected, name; the source says: name = Profile jerk, Profile jerk 1. The row repeats the name of
+            /// the object; the table of axis B has the name alone, as the profile does.
+            pub const fn profile_jerk_1(axis: Axis) -> Entry<DoubleHires, u32, ReadWrite, RxTx> {
+                axis.entry(0x60A4, 0x800, 1)
+            }
         }
 
         /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (6.9.4.1, Tab. 30,
@@ -12663,6 +12232,9 @@ pub mod double_hires {
         /// The set position of interpolated position mode: one value, not a set of them.
         ///
         /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        ///
+        /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
+        /// does; with one entry, the kind shows in SDO information only.
         pub mod interpolation_data_record {
             use super::*;
 
@@ -13051,21 +12623,6 @@ pub mod double_hires {
         /// profile, left out.
         pub const fn supported_drive_modes(axis: Axis) -> Entry<DoubleHires, SupportedDriveModes, ReadOnly> {
             axis.entry(0x6502, 0x800, 0)
-        }
-
-        /// `0x68A4` Profile jerk.
-        ///
-        /// How the acceleration may change in the phases of a profiled move; one value serves for all phases.
-        ///
-        /// Source: 7.2.1, Tab. 34; 7.2.2, Tab. 35.
-        pub mod profile_jerk_b {
-            use super::*;
-
-            /// `0x68A4:00` Highest subindex supported. UINT8, ro, default 1.
-            pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<DoubleHires, u8, ReadOnly> = Entry::new(0x68A4, 0);
-
-            /// `0x68A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub const PROFILE_JERK_1: Entry<DoubleHires, u32, ReadWrite, RxTx> = Entry::new(0x68A4, 1);
         }
     }
 
@@ -15818,14 +15375,6 @@ pub mod double_hires {
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
             pub sm_input_parameter: SmInputParameter,
-            /// `0x60A4` Profile jerk.
-            ///
-            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub profile_jerk_a: [u32; 1],
-            /// `0x68A4` Profile jerk.
-            ///
-            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub profile_jerk_b: [u32; 1],
             /// What each axis has, in order.
             pub axes: [AxisDictionary; 2],
         }
@@ -15873,8 +15422,6 @@ pub mod double_hires {
                     cycle_time_too_small: 0,
                     sync_error: false,
                 },
-                profile_jerk_a: [0; 1],
-                profile_jerk_b: [0; 1],
                 axes: [AxisDictionary::DEFAULT; 2],
             };
         }
@@ -15987,6 +15534,10 @@ pub mod double_hires {
             pub homing_acceleration: u32,
             /// `0x60A3:00` Profile jerk use. UINT8, rw.
             pub profile_jerk_use: u8,
+            /// `0x60A4` Profile jerk.
+            ///
+            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
             pub velocity_offset: i32,
             /// `0x60B2:00` Torque offset. INT16, rw, RxPDO and TxPDO.
@@ -16006,7 +15557,9 @@ pub mod double_hires {
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
             pub interpolation_sub_mode_select: i16,
             /// `0x60C1` Interpolation data record.
-            pub interpolation_data_record: InterpolationDataRecord,
+            ///
+            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub interpolation_data_record: [i32; 1],
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -16097,6 +15650,7 @@ pub mod double_hires {
                 },
                 homing_acceleration: 0,
                 profile_jerk_use: 0,
+                profile_jerk: [0; 1],
                 velocity_offset: 0,
                 torque_offset: 0,
                 touch_probe_function: TouchProbeFunction(0),
@@ -16106,7 +15660,7 @@ pub mod double_hires {
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
                 interpolation_sub_mode_select: 0,
-                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
+                interpolation_data_record: [0; 1],
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -16309,13 +15863,6 @@ pub mod double_hires {
             pub speed_during_search_for_zero: u32,
         }
 
-        /// `0x60C1` Interpolation data record.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct InterpolationDataRecord {
-            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub _1st_set_point: i32,
-        }
-
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
@@ -16398,7 +15945,6 @@ pub mod double_hires {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-                let item = usize::from(place.item);
                 match place.field {
                     0 => Some(sdo::Slot::U32(&mut self.device_type)),
                     1 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
@@ -16407,8 +15953,6 @@ pub mod double_hires {
                     4 => self.identity_object.slot(place.item),
                     5 => self.sm_output_parameter.slot(place.item),
                     6 => self.sm_input_parameter.slot(place.item),
-                    7 => self.profile_jerk_a.get_mut(item).map(sdo::Slot::U32),
-                    8 => self.profile_jerk_b.get_mut(item).map(sdo::Slot::U32),
                     _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
                 }
             }
@@ -16418,74 +15962,75 @@ pub mod double_hires {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    18 => self.vl_velocity_acceleration.slot(place.item),
-                    19 => self.vl_velocity_deceleration.slot(place.item),
-                    20 => self.vl_velocity_quick_stop.slot(place.item),
-                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    38 => self.position_range_limit.slot(place.item),
-                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    40 => self.software_position_limit.slot(place.item),
-                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    48 => self.gear_ratio.slot(place.item),
-                    49 => self.feed_constant.slot(place.item),
-                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    51 => self.homing_speeds.slot(place.item),
-                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    54 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    55 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    62 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    63 => self.interpolation_data_record.slot(place.item),
-                    64 => self.interpolation_time_period.slot(place.item),
-                    65 => self.interpolation_data_configuration.slot(place.item),
-                    66 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    67 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    68 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    69 => self.supported_homing_methods.slot(place.item),
-                    70 => self.additional_position_actual_value.slot(place.item),
-                    71 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    72 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    73 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    74 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    75 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    76 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    16 => self.vl_velocity_acceleration.slot(place.item),
+                    17 => self.vl_velocity_deceleration.slot(place.item),
+                    18 => self.vl_velocity_quick_stop.slot(place.item),
+                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    36 => self.position_range_limit.slot(place.item),
+                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    38 => self.software_position_limit.slot(place.item),
+                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    46 => self.gear_ratio.slot(place.item),
+                    47 => self.feed_constant.slot(place.item),
+                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    49 => self.homing_speeds.slot(place.item),
+                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    63 => self.interpolation_time_period.slot(place.item),
+                    64 => self.interpolation_data_configuration.slot(place.item),
+                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    68 => self.supported_homing_methods.slot(place.item),
+                    69 => self.additional_position_actual_value.slot(place.item),
+                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -16625,15 +16170,6 @@ pub mod double_hires {
             }
         }
 
-        impl InterpolationDataRecord {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
-                    _ => None,
-                }
-            }
-        }
-
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
@@ -16707,7 +16243,7 @@ pub mod double_hires {
                 Page { axis: 0, ..PAGE_28 },
                 Page { axis: 0, ..PAGE_60 },
                 Page { axis: 0, ..PAGE_65 },
-                Page { axis: 1, ..PAGE_68 },
+                Page { axis: 1, ..PAGE_60 },
                 Page { axis: 1, ..PAGE_65 },
                 Page { axis: 1, ..PAGE_20 },
                 Page { axis: 1, ..PAGE_28 },
@@ -16898,7 +16434,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                9,
+                7,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16913,7 +16449,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                10,
+                8,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16935,29 +16471,51 @@ pub mod double_hires {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    10,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     12,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    14,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    17,
+                    15,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    16,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    165,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    17,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
                     165,
                 ),
                 object(
@@ -16972,85 +16530,77 @@ pub mod double_hires {
                     165,
                 ),
                 object(
-                    ObjectCode::Record,
-                    0,
-                    19,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    20,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
                     ObjectCode::Array,
                     0,
-                    21,
+                    19,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
                     165,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    22,
+                    20,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    25,
+                    23,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    28,
+                    26,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    27,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    31,
+                    29,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    32,
+                    30,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    35,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    36,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    165,
+                ),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -17065,21 +16615,21 @@ pub mod double_hires {
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    39,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    40,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
-                    40,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    41,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -17109,26 +16659,20 @@ pub mod double_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Variable,
+                    ObjectCode::Record,
                     0,
                     46,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    47,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    48,
+                    47,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
@@ -17136,67 +16680,59 @@ pub mod double_hires {
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     165,
                 ),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    51,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    52,
+                    50,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    7,
+                    52,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    53,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    54,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    56,
+                    55,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
                     0,
-                    63,
+                    62,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    63,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
@@ -17207,7 +16743,7 @@ pub mod double_hires {
                 object(
                     ObjectCode::Record,
                     0,
-                    65,
+                    64,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -17222,52 +16758,52 @@ pub mod double_hires {
                 object(
                     ObjectCode::Variable,
                     0,
-                    66,
+                    65,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    67,
+                    66,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    68,
+                    67,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
                     165,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    69,
+                    68,
                     &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
                     168,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    70,
+                    69,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
                     166,
                 ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    74,
+                    73,
                     &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
                     166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    75,
+                    74,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -17280,362 +16816,7 @@ pub mod double_hires {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 76, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
-        };
-
-        const SLOTS_68: [u8; 193] = positions(
-            0x3F,
-            &[
-                0x3F, 0x40, 0x41, 0x42, 0x43, 0x44, 0x46, 0x48, 0x49, 0x4A, 0x4B, 0x4C, 0x5A, 0x5E, 0x60,
-                0x61, 0x64, 0x65, 0x66, 0x6C, 0x71, 0x72, 0x76, 0x77, 0x78, 0x79, 0x7A, 0x7B, 0x7C, 0x7D,
-                0x7E, 0x7F, 0x81, 0x83, 0x84, 0x85, 0x87, 0x91, 0x92, 0x98, 0x99, 0x9A, 0xA3, 0xA4, 0xB1,
-                0xB2, 0xB8, 0xB9, 0xBA, 0xBB, 0xBC, 0xBD, 0xC0, 0xC1, 0xC2, 0xC4, 0xC5, 0xC6, 0xD0, 0xE3,
-                0xE4, 0xF2, 0xF4, 0xFD, 0xFE, 0xFF,
-            ],
-        );
-
-        const PAGE_68: Page = Page {
-            first: 0x3F,
-            axis: 0,
-            slots: &SLOTS_68,
-            objects: &[
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    12,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    14,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    17,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    18,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    19,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    20,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    21,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    22,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    25,
-                    &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    28,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    29,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    31,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    32,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    37,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    38,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    39,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    40,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    42,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    43,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    44,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    45,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    46,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    47,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    48,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    49,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    51,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    52,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    8,
-                    &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    166,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    54,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    55,
-                    &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    56,
-                    &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    63,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    166,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    64,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    65,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RO),
-                        entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                        entry(3, 2, DataType::UNSIGNED8, 8, RW),
-                        entry(4, 3, DataType::UNSIGNED16, 16, RW),
-                        entry(5, 4, DataType::UNSIGNED8, 8, WO),
-                        entry(6, 5, DataType::UNSIGNED8, 8, WO),
-                    ],
-                    167,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    67,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    68,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    69,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    168,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    70,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    166,
-                ),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    74,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    166,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    75,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-            ],
+            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
     }
 }
@@ -18479,9 +17660,11 @@ pub mod single_hires {
             /// `0x60A4:00` Highest subindex supported. UINT8, ro, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x60A4, 0);
 
-            /// `0x60A4:01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
-            pub const PROFILE_JERK_PROFILE_JERK_1: Entry<SingleHires, u32, ReadWrite, RxTx> =
-                Entry::new(0x60A4, 1);
+            /// `0x60A4:01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            ///
+            /// Corrected, name; the source says: name = Profile jerk, Profile jerk 1. The row repeats the name of
+            /// the object; the table of axis B has the name alone, as the profile does.
+            pub const PROFILE_JERK_1: Entry<SingleHires, u32, ReadWrite, RxTx> = Entry::new(0x60A4, 1);
         }
 
         /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310 (6.9.4.1, Tab. 30,
@@ -18538,6 +17721,9 @@ pub mod single_hires {
         /// The set position of interpolated position mode: one value, not a set of them.
         ///
         /// Source: 6.6.1, Tab. 8, Tab. 9, Tab. 34, Tab. 35.
+        ///
+        /// Corrected, kind; the source says: kind = record. The table of axis B has an array, as the profile
+        /// does; with one entry, the kind shows in SDO information only.
         pub mod interpolation_data_record {
             use super::*;
 
@@ -21591,7 +20777,7 @@ pub mod single_hires {
             pub profile_jerk_use: u8,
             /// `0x60A4` Profile jerk.
             ///
-            /// - `01` Profile jerk, Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
+            /// - `01` Profile jerk 1. UINT32, rw, RxPDO and TxPDO, in user unit/s³ / 10^A311.
             pub profile_jerk: [u32; 1],
             /// `0x60B1:00` Velocity offset. INT32, rw, RxPDO and TxPDO, in user unit/s / 10^A310.
             pub velocity_offset: i32,
@@ -21612,7 +20798,9 @@ pub mod single_hires {
             /// `0x60C0:00` Interpolation sub mode select. INT16, rw, RxPDO.
             pub interpolation_sub_mode_select: i16,
             /// `0x60C1` Interpolation data record.
-            pub interpolation_data_record: InterpolationDataRecord,
+            ///
+            /// - `01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
+            pub interpolation_data_record: [i32; 1],
             /// `0x60C2` Interpolation time period.
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60C4` Interpolation data configuration.
@@ -21753,7 +20941,7 @@ pub mod single_hires {
                 touch_probe_2_positive_edge: 0,
                 touch_probe_2_negative_edge: 0,
                 interpolation_sub_mode_select: 0,
-                interpolation_data_record: InterpolationDataRecord { _1st_set_point: 0 },
+                interpolation_data_record: [0; 1],
                 interpolation_time_period: InterpolationTimePeriod {
                     interpolation_time_period_value: 0,
                     interpolation_time_index: 0,
@@ -21956,13 +21144,6 @@ pub mod single_hires {
             pub speed_during_search_for_zero: u32,
         }
 
-        /// `0x60C1` Interpolation data record.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct InterpolationDataRecord {
-            /// `0x60C1:01` 1st set-point. INT32, rw, RxPDO and TxPDO, in user unit / 10^I06.
-            pub _1st_set_point: i32,
-        }
-
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
@@ -22109,7 +21290,7 @@ pub mod single_hires {
                     59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
                     60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
                     61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    62 => self.interpolation_data_record.slot(place.item),
+                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
                     63 => self.interpolation_time_period.slot(place.item),
                     64 => self.interpolation_data_configuration.slot(place.item),
                     65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
@@ -22257,15 +21438,6 @@ pub mod single_hires {
                 match item {
                     0 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_switch)),
                     1 => Some(sdo::Slot::U32(&mut self.speed_during_search_for_zero)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl InterpolationDataRecord {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::I32(&mut self._1st_set_point)),
                     _ => None,
                 }
             }
@@ -22800,7 +21972,7 @@ pub mod single_hires {
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Array,
                     0,
                     62,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },

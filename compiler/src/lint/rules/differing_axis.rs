@@ -1,10 +1,11 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::{Report, lookup};
-use crate::model::{Device, Object};
+use crate::model::{Device, Entry, Object, Place};
+use crate::source::Origin;
 
 rule! {
     /// The axes of a device are of one kind, and a master drives them with one program. An object that has another
-    /// shape or type on one of them breaks that program; often a table was printed for one axis and
+    /// shape, type or name on one of them breaks that program; often a table was printed for one axis and
     /// copied badly for the next.
     ///
     /// What differs for a reason has a `note` for the axis that tells it.
@@ -38,27 +39,68 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for object in lookup::objects(device).filter(|object| object.axis.is_some_and(|axis| axis > 0)) {
-        let Some(first) = device.object(object.leading) else { continue };
-        let Some((key, what)) = difference(first, object).filter(|_| object.note == first.note) else {
+        let Some(first) = device.object(object.leading).filter(|first| first.note == object.note) else {
             continue;
         };
-        let message = format!("{} {what} than {} on the first axis", object.index, first.index);
-        let diagnostic = Diagnostic::new(&RULE, message, object.origin.value(key), "different here")
-            .label(first.origin.value(key), "on the first axis")
+        let Some(Difference { sides: [one, other], key, what }) = difference(first, object) else { continue };
+        // The profile may know which of them is wrong.
+        let is_first = departs(report, one.origin, key) && !departs(report, other.origin, key);
+        let (stray, like) = if is_first { (one, other) } else { (other, one) };
+        let message = format!("{} {what} than {}, the same on another axis", stray.name, like.name);
+        let diagnostic = Diagnostic::new(&RULE, message, stray.origin.value(key), "different here")
+            .label(like.origin.value(key), "on the other axis")
             .help("add a `note` for the axis that says why");
-        report.push(object.index, diagnostic);
+        report.push(stray.name, diagnostic);
     }
 }
 
+/// One thing in which an object differs from that of the first axis, which comes first.
+struct Difference<'d> {
+    sides: [Side<'d>; 2],
+    key: &'static str,
+    what: &'static str,
+}
+
+struct Side<'d> {
+    name: Place,
+    origin: &'d Origin,
+}
+
+/// Whether a profile says something else under this key.
+fn departs(report: &Report, origin: &Origin, key: &str) -> bool {
+    let profile = report.profile(origin, key);
+    profile.is_some_and(|profile| origin.node(key).is_none_or(|own| own.value != profile.value))
+}
+
 /// The first thing in which an object differs from that of the first axis, if nothing says why.
-fn difference(first: &Object, object: &Object) -> Option<(&'static str, &'static str)> {
+fn difference<'d>(first: &'d Object, object: &'d Object) -> Option<Difference<'d>> {
+    let whole = |object: &'d Object| Side { name: object.index.into(), origin: &object.origin };
+    let objects = |key, what| Some(Difference { sides: [whole(first), whole(object)], key, what });
     if first.kind != object.kind {
-        return Some(("kind", "is of another kind"));
+        return objects("kind", "is of another kind");
+    }
+    if first.name != object.name {
+        return objects("name", "has another name");
     }
     if first.entries.len() != object.entries.len() {
-        return Some(("entries", "has other entries"));
+        return objects("entries", "has other entries");
     }
-    let pairs = || first.entries.iter().zip(&object.entries).filter(|(a, b)| a.note == b.note);
-    let types = pairs().any(|(a, b)| a.data_type != b.data_type).then_some(("type", "has another type"));
-    types.or_else(|| pairs().any(|(a, b)| a.access != b.access).then_some(("access", "has other access")))
+    let pairs = first.entries.iter().zip(&object.entries).filter(|(one, other)| one.note == other.note);
+    let mut found = pairs.filter_map(|(one, other)| {
+        let (key, what) = value_difference(one, other)?;
+        let side =
+            |object, entry: &'d Entry| Side { name: lookup::name(object, entry), origin: &entry.origin };
+        Some(Difference { sides: [side(first, one), side(object, other)], key, what })
+    });
+    found.next()
+}
+
+fn value_difference(one: &Entry, other: &Entry) -> Option<(&'static str, &'static str)> {
+    if one.data_type != other.data_type {
+        return Some(("type", "has another type"));
+    }
+    if one.access != other.access {
+        return Some(("access", "has other access"));
+    }
+    (one.name != other.name).then_some(("name", "has another name"))
 }

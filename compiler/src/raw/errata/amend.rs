@@ -47,7 +47,8 @@ fn member_amended(member: &mut Member, says: &Node, holds: Option<&Node>, layer:
         (Value::Table(table), _) if says.table().is_some() => laid(Arc::make_mut(table), says, holds, layer),
         (_, holds) => {
             if let Some(holds) = holds {
-                member.under = Some(Arc::new(std::mem::replace(&mut member.node, holds.clone())));
+                let printed = std::mem::replace(&mut member.node, holds.clone());
+                member.under.get_or_insert_with(|| Arc::new(printed));
             }
             member.layer = layer;
         }
