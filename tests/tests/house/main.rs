@@ -18,14 +18,19 @@ use code::Code;
 
 /// What is known to be wrong and will be mended: an entry that is right by now has to go.
 const OWED: &[&str] = &[
+    "compiler/src/emit/markdown/chapters.rs: `chapters` is too long a function",
+    "compiler/src/model/compare.rs: looks in a circle to `fact`",
+    "compiler/src/model/compare.rs: looks in a circle to `unit`",
+    "compiler/src/model/fact.rs: looks in a circle to `compare`",
+    "compiler/src/model/fact.rs: looks in a circle to `table`",
+    "compiler/src/model/place.rs: looks in a circle to `section`",
+    "compiler/src/model/section.rs: looks in a circle to `place`",
+    "compiler/src/model/table.rs: looks in a circle to `fact`",
+    "compiler/src/model/unit.rs: looks in a circle to `fact`",
+    "compiler/src/model/unit.rs: looks in a circle to `table`",
     "compiler/src/raw/decode/access.rs: looks in a circle to `view`",
     "compiler/src/raw/decode/view.rs: looks in a circle to `access`",
-    "compiler/src/raw/object.rs: looks in a circle to `word`",
-    "compiler/src/raw/schema/literal.rs: looks in a circle to `object`",
-    "compiler/src/raw/word.rs: looks in a circle to `schema`",
     "compiler/src/resolve/device.rs: `device` is too long a function",
-    "compiler/src/resolve/entries.rs: looks in a circle to `objects`",
-    "compiler/src/resolve/objects.rs: looks in a circle to `entries`",
 ];
 
 /// Something that is not as it should be.
