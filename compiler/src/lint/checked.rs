@@ -4,7 +4,7 @@ use std::ops::Deref;
 
 /// Something that all rules have seen and none has refused.
 ///
-/// Only [`check`](super::check) can make one, so what takes a `Checked` needs no checks of its own.
+/// Only the stage `check` can make one, so what takes a `Checked` needs no checks of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checked<T>(pub(super) T);
 
