@@ -75,25 +75,28 @@ pub(crate) fn values<T: Compare>(first: &T, second: &T, path: &FieldPath, found:
 macro_rules! value {
     ($($type:ty)+) => {
         $(
-            impl Compare for $type {
+            impl $crate::model::Compare for $type {
                 const IS_VALUE: bool = true;
 
                 fn shown(&self) -> String {
                     self.to_string()
                 }
 
-                fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
-                    values(self, other, path, found);
+                fn compare(
+                    &self,
+                    other: &Self,
+                    path: &mut $crate::model::FieldPath,
+                    found: &mut dyn FnMut($crate::model::Difference),
+                ) {
+                    $crate::model::compare::values(self, other, path, found);
                 }
             }
         )+
     };
 }
-value! {
-    bool u8 i8 u16 i16 u32 i32 u64 i64 f64 String
-    super::Said super::Place super::Index super::Address super::DataType super::Pattern super::Value super::Duration
-    super::Hex super::Scale super::Source
-}
+pub(crate) use value;
+
+value! { bool u8 i8 u16 i16 u32 i32 u64 i64 f64 String }
 
 impl<T: Compare> Compare for Option<T> {
     const IS_VALUE: bool = T::IS_VALUE;
@@ -148,18 +151,6 @@ impl<T: Compare> Compare for (T, T) {
 
     fn shown(&self) -> String {
         format!("{} to {}", self.0.shown(), self.1.shown())
-    }
-
-    fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
-        values(self, other, path, found);
-    }
-}
-
-impl Compare for super::OneOrMore {
-    const IS_VALUE: bool = true;
-
-    fn shown(&self) -> String {
-        self.0.shown()
     }
 
     fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {

@@ -5,6 +5,7 @@
 //! output is this model, word for word.
 
 mod axis;
+mod citation;
 mod compare;
 mod configuration;
 mod control;
@@ -43,12 +44,13 @@ mod value;
 mod word;
 
 pub use axis::{Area, Arrangement, Axis, Shift};
+pub use citation::Source;
 pub use compare::{Compare, Difference, FieldPath, differences};
 pub use configuration::{Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
 pub use error::{ErrorCode, VendorCode};
-pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source, Tables, Written};
+pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Tables, Written};
 pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
