@@ -36,6 +36,7 @@ pub(crate) mod schema;
 mod section;
 pub(crate) mod shorthand;
 mod state;
+mod symbol;
 pub(crate) mod table;
 mod timing;
 mod transport;
@@ -74,6 +75,7 @@ pub use section::{Section, Shape};
 pub use state::{
     Answer, Command, CommunicationState, CommunicationTransition, Event, Scope, State, Transition,
 };
+pub use symbol::{Dimension, SYMBOLS, Symbol, dimensions};
 pub use table::Table;
 pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
