@@ -6,11 +6,9 @@ use clap::ColorChoice;
 use devc::Compilation;
 use devc::diagnostic::render::{Style, text};
 use devc::diagnostic::{Diagnostics, Level};
+use devc::text::characters::line;
 
 use super::outcome::{Failure, Outcome};
-
-/// How many messages about one description are printed.
-const MOST_MESSAGES: usize = 200;
 
 /// Where results and messages go.
 pub(super) struct Report {
@@ -33,12 +31,12 @@ impl Report {
         Self { style: if wanted { Style::Colour } else { Style::Plain } }
     }
 
-    /// Prints a result.
+    /// Prints a result as one line, whatever is in the names that it holds.
     pub(super) fn line(&self, text: &str) -> Result<(), Failure> {
-        self.output(&format!("{text}\n"))
+        self.output(&format!("{}\n", line(text)))
     }
 
-    /// Prints a result that ends its own lines.
+    /// Prints a result of lines that end themselves, and that hold nothing which a terminal would obey.
     pub(super) fn output(&self, text: &str) -> Result<(), Failure> {
         let mut out = io::stdout().lock();
         write!(out, "{text}").and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
@@ -49,15 +47,11 @@ impl Report {
         let _ = writeln!(io::stderr().lock(), "{text}");
     }
 
-    /// Prints the messages about a description, as many as a person might read.
+    /// Prints the messages about a description.
     pub(super) fn diagnostics(&self, compilation: &Compilation) {
-        let mut shown = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow);
-        for diagnostic in shown.by_ref().take(MOST_MESSAGES) {
+        let shown = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow);
+        for diagnostic in shown {
             self.message(&format!("{}\n", text(diagnostic, &compilation.sources, self.style)));
-        }
-        match shown.count() {
-            0 => {}
-            rest => self.message(&format!("... and {}, not shown\n", number(rest, "more message"))),
         }
     }
 
@@ -67,9 +61,9 @@ impl Report {
             Style::Colour => ("\u{1b}[1m\u{1b}[91m", "\u{1b}[1m\u{1b}[94m", "\u{1b}[1m", "\u{1b}[0m"),
             Style::Plain => ("", "", "", ""),
         };
-        let mut text = format!("{red}error{reset}{bold}: {what}{reset}");
+        let mut text = format!("{red}error{reset}{bold}: {}{reset}", line(what));
         if let Some(help) = help {
-            text += &format!("\n  {blue}= {reset}{bold}help{reset}: {help}");
+            text += &format!("\n  {blue}= {reset}{bold}help{reset}: {}", line(help));
         }
         self.message(&text);
     }

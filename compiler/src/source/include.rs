@@ -1,5 +1,6 @@
 //! Following `include` from file to file.
 
+use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -7,7 +8,7 @@ use std::sync::Arc;
 use super::loader::{MAX_SIZE, shown, similar};
 use super::parse::parse;
 use super::settings::Settings;
-use super::{Layer, Loader, Location, SourceFile, Sources, Table};
+use super::{Layer, Loader, Location, SourceFile, Sources, Table, limits};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 
 /// How many files may include one another in a row.
@@ -23,7 +24,11 @@ pub(super) struct Reader<'a> {
     /// The files whose includes are being followed, outermost first: canonical, and as shown.
     chain: Vec<(PathBuf, String)>,
     /// The canonical paths of all files seen.
-    seen: Vec<PathBuf>,
+    seen: BTreeSet<PathBuf>,
+    /// How many includes were followed.
+    followed: usize,
+    /// How many bytes were read.
+    bytes: usize,
     /// What was read.
     pub(super) parts: Vec<Part>,
     /// Where it was read from.
@@ -45,8 +50,8 @@ impl<'a> Reader<'a> {
         diagnostics: &'a mut Diagnostics,
     ) -> Option<Self> {
         let folder = loader.canonical(main).ok()?.parent()?.to_owned();
-        let (chain, seen, parts, files) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Some(Self { loader, folder, sources, diagnostics, chain, seen, parts, files })
+        let (chain, seen, parts, files) = (Vec::new(), BTreeSet::new(), Vec::new(), Vec::new());
+        Some(Self { loader, folder, sources, diagnostics, chain, seen, followed: 0, bytes: 0, parts, files })
     }
 
     /// Reads the first file and all it includes.
@@ -61,7 +66,7 @@ impl<'a> Reader<'a> {
     }
 
     fn enter(&mut self, path: &Path, canonical: PathBuf, at: Option<Location>) {
-        self.seen.push(canonical.clone());
+        self.seen.insert(canonical.clone());
         let text = match self.text(path) {
             Ok(text) => text,
             Err(fault) => return self.diagnostics.push(fault.at(at)),
@@ -82,6 +87,10 @@ impl<'a> Reader<'a> {
     }
 
     fn follow(&mut self, from: &Path, name: &Arc<str>, at: Location) {
+        self.followed += 1;
+        if self.followed > limits::FILES {
+            return self.diagnostics.push(limits::includes(at));
+        }
         let path = from.parent().unwrap_or(Path::new("")).join(&**name);
         let canonical = match self.loader.canonical(&path) {
             Ok(canonical) => canonical,
@@ -102,11 +111,15 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn text(&self, path: &Path) -> Result<String, Unreadable> {
+    fn text(&mut self, path: &Path) -> Result<String, Unreadable> {
         let unreadable = |why: String| Unreadable { message: format!("`{}` {why}", shown(path)), help: None };
         let bytes = self.loader.read(path).map_err(|error| unreadable(reason(&error)))?;
         if bytes.len() > MAX_SIZE {
             return Err(unreadable(format!("is larger than {} MiB", MAX_SIZE >> 20)));
+        }
+        self.bytes += bytes.len();
+        if self.bytes > MAX_SIZE {
+            return Err(unreadable(format!("makes the description larger than {} MiB", MAX_SIZE >> 20)));
         }
         String::from_utf8(bytes).map_err(|error| {
             let offset = error.utf8_error().valid_up_to();
@@ -125,7 +138,8 @@ impl<'a> Reader<'a> {
         let diagnostic = Diagnostic::new(&faults::MISSING_FILE, message, at, "included here");
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let wrong = path.file_name().unwrap_or_default().to_string_lossy();
-        match similar(self.loader, folder, &wrong) {
+        let has_room = self.diagnostics.has_room(&faults::MISSING_FILE);
+        match has_room.then(|| similar(self.loader, folder, &wrong)).flatten() {
             Some(near) => {
                 let name = name.strip_suffix(&*wrong).unwrap_or_default();
                 diagnostic.fix(format!("did you mean `{near}`?"), at, format!("\"{name}{near}\""))

@@ -77,7 +77,6 @@ mod unmapped_mode;
 pub(super) mod unmended_erratum;
 mod unnumbered_group;
 mod unplaced_object;
-mod unprintable_character;
 mod unreachable_default;
 mod unreachable_transition;
 mod unrepresentable_value;
@@ -174,7 +173,6 @@ lints! {
     unmended_erratum,
     unnumbered_group,
     unplaced_object,
-    unprintable_character,
     unreachable_default,
     unreachable_transition,
     unrepresentable_value,
