@@ -12,6 +12,7 @@ use devc::model::Family;
 use devc::source::Disk;
 
 use super::levels::LevelArguments;
+use super::limit::Limit;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
 use super::report::{Report, counts, verdict};
@@ -49,6 +50,9 @@ pub(super) struct Build {
     #[command(flatten)]
     levels: LevelArguments,
 
+    #[command(flatten)]
+    limit: Limit,
+
     /// Print what each stage costs, on one core.
     #[arg(long)]
     timings: bool,
@@ -76,6 +80,7 @@ impl Build {
         let mut outcome = Outcome::Clean;
         let mut built: Vec<(&str, &Path)> = Vec::new();
         for (path, Made { compilation, files, timings }) in paths.iter().zip(&mut made) {
+            self.limit.cut(compilation);
             let (compilation, files) = (&*compilation, &*files);
             report.diagnostics(compilation);
             outcome = outcome.max(verdict(compilation, self.levels.deny_warnings));

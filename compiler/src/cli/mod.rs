@@ -11,6 +11,7 @@ mod explain;
 mod fix;
 mod git;
 mod levels;
+mod limit;
 mod outcome;
 mod paths;
 mod report;

@@ -6,6 +6,7 @@ mod arguments;
 mod explain;
 mod findings;
 mod levels;
+mod many;
 mod outputs;
 mod trouble;
 
