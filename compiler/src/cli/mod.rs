@@ -7,16 +7,19 @@ mod build;
 mod check;
 mod diff;
 mod draft;
+mod existing;
 mod explain;
 mod fix;
 mod git;
 mod levels;
+mod names;
 mod outcome;
 mod paths;
 mod report;
 mod rules;
 mod timings;
 mod workers;
+mod workplace;
 mod write;
 
 use std::process::ExitCode;
@@ -88,5 +91,5 @@ pub(crate) fn run() -> ExitCode {
         Command::Explain(explain) => explain.run(&report),
         Command::Rules(rules) => rules.run(&report),
     };
-    outcome.unwrap_or_else(|failure| report.failure(&failure)).into()
+    report.end(outcome.unwrap_or_else(|failure| report.failure(&failure))).into()
 }
