@@ -7,11 +7,13 @@ mod build;
 mod check;
 mod diff;
 mod draft;
+mod existing;
 mod explain;
 mod fix;
 mod git;
 mod levels;
 mod new;
+mod names;
 mod outcome;
 mod paths;
 mod report;
@@ -19,6 +21,7 @@ mod rules;
 mod schema;
 mod timings;
 mod workers;
+mod workplace;
 mod write;
 
 use std::process::ExitCode;
@@ -97,5 +100,5 @@ pub(crate) fn run() -> ExitCode {
         Command::Rules(rules) => rules.run(&report),
         Command::Schema(schema) => schema.run(&report),
     };
-    outcome.unwrap_or_else(|failure| report.failure(&failure)).into()
+    report.end(outcome.unwrap_or_else(|failure| report.failure(&failure))).into()
 }
