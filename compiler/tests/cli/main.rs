@@ -20,6 +20,7 @@ mod outside;
 mod trouble;
 #[cfg(unix)]
 mod unix;
+mod versions;
 
 use std::fs;
 use std::path::PathBuf;
