@@ -340,7 +340,7 @@ pub mod s300 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
@@ -359,7 +359,7 @@ pub mod s300 {
             /// `0x170A:02` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x170A, 2);
 
-            /// `0x170A:03` State of digital output. UINT32, ro, default 0x23020010.
+            /// `0x170A:03` Set value for digital output1/bit 0 and output2/bit 1. UINT32, ro, default 0x23020010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x170A, 3);
         }
 
@@ -409,10 +409,10 @@ pub mod s300 {
             /// `0x1711:01` Position setpoint. UINT32, ro, default 0x60C10020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 1);
 
-            /// `0x1711:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1711:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 2);
 
-            /// `0x1711:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1711:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 3);
 
             /// `0x1711:04` Current limit. UINT32, ro, default 0x20610010.
@@ -437,10 +437,10 @@ pub mod s300 {
             /// `0x1712:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 1);
 
-            /// `0x1712:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1712:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 2);
 
-            /// `0x1712:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1712:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 3);
 
             /// `0x1712:04` Current limit. UINT32, ro, default 0x20610010.
@@ -468,16 +468,16 @@ pub mod s300 {
             /// `0x1714:02` DPRVAR2 (lower 16 bits). UINT32, ro, default 0x23060010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 2);
 
-            /// `0x1714:03` DPRVAR3. UINT32, ro, default 0x20900320.
+            /// `0x1714:03` DPRVAR3 (32 bits). UINT32, ro, default 0x20900320.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 3);
 
-            /// `0x1714:04` DPRVAR4. UINT32, ro, default 0x20900420.
+            /// `0x1714:04` DPRVAR4 (32 bits). UINT32, ro, default 0x20900420.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 4);
 
-            /// `0x1714:05` DPRVAR5. UINT32, ro, default 0x20900520.
+            /// `0x1714:05` DPRVAR5 (32 bits). UINT32, ro, default 0x20900520.
             pub const ENTRY_5: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 5);
 
-            /// `0x1714:06` DPRVAR6. UINT32, ro, default 0x20900620.
+            /// `0x1714:06` DPRVAR6 (32 bits). UINT32, ro, default 0x20900620.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 6);
         }
 
@@ -544,7 +544,7 @@ pub mod s300 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -566,7 +566,7 @@ pub mod s300 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -613,7 +613,7 @@ pub mod s300 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -641,10 +641,10 @@ pub mod s300 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -675,7 +675,7 @@ pub mod s300 {
             /// `0x1B0A:03` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0A, 3);
 
-            /// `0x1B0A:04` Digital I/O. UINT32, ro, default 0x60FD0010.
+            /// `0x1B0A:04` Digital input state. UINT32, ro, default 0x60FD0010.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0A, 4);
         }
 
@@ -694,7 +694,7 @@ pub mod s300 {
             /// `0x1B0B:02` Position actual value 2. UINT32, ro, default 0x20500020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 2);
 
-            /// `0x1B0B:03` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0B:03` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 3);
 
             /// `0x1B0B:04` Current actual value. UINT32, ro, default 0x60770010.
@@ -703,13 +703,13 @@ pub mod s300 {
             /// `0x1B0B:05` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_5: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 5);
 
-            /// `0x1B0B:06` Drive errors. UINT32, ro, default 0x10030020.
+            /// `0x1B0B:06` Drive error status. UINT32, ro, default 0x10030020.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 6);
 
             /// `0x1B0B:07` Drive warnings. UINT32, ro, default 0x20000020.
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 7);
 
-            /// `0x1B0B:08` Digital I/O. UINT32, ro, default 0x60FD0020.
+            /// `0x1B0B:08` Digital input state. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_8: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 8);
 
             /// `0x1B0B:09` Analog input 1. UINT32, ro, default 0x20B20110.
@@ -737,7 +737,7 @@ pub mod s300 {
             /// `0x1B0C:01` Position actual value 1. UINT32, ro, default 0x60630020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0C, 1);
 
-            /// `0x1B0C:02` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0C:02` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0C, 2);
 
             /// `0x1B0C:03` Statusword. UINT32, ro, default 0x60410010.
@@ -1020,7 +1020,7 @@ pub mod s300 {
         /// Updated in each bus cycle. Recorded as PFB0.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -1028,62 +1028,62 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -1097,56 +1097,72 @@ pub mod s300 {
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -1160,53 +1176,69 @@ pub mod s300 {
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1228,29 +1260,29 @@ pub mod s300 {
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR1_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR2_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR3_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR4_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR5_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR6_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR7_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR8_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
@@ -1330,7 +1362,8 @@ pub mod s300 {
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
@@ -1386,14 +1419,14 @@ pub mod s300 {
         /// Outputs that the master reads in place of a terminal.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
         pub const OPMODE_REQUEST: Entry<S300, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
@@ -1417,7 +1450,7 @@ pub mod s300 {
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
@@ -1750,8 +1783,8 @@ pub mod s300 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -1760,10 +1793,10 @@ pub mod s300 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -1772,17 +1805,17 @@ pub mod s300 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -1812,10 +1845,10 @@ pub mod s300 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -1906,7 +1939,7 @@ pub mod s300 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -2254,13 +2287,13 @@ pub mod s300 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -2268,7 +2301,7 @@ pub mod s300 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -2767,7 +2800,7 @@ pub mod s300 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -2843,7 +2876,7 @@ pub mod s300 {
         pub position_setpoint: i32,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x2302:00` State of digital output.
+        /// `0x2302:00` Set value for digital output1/bit 0 and output2/bit 1.
         pub digital_outputs: DigitalOutputs,
     }
 
@@ -2989,9 +3022,9 @@ pub mod s300 {
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
         pub position_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -3064,9 +3097,9 @@ pub mod s300 {
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
         pub velocity_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -3141,14 +3174,14 @@ pub mod s300 {
         pub controlword: Controlword,
         /// `0x2306:00` DPRVAR2 (lower 16 bits).
         pub dprvar_2_low: i16,
-        /// `0x2090:03` DPRVAR3.
-        pub dprvar_set_dprvar3: i32,
-        /// `0x2090:04` DPRVAR4.
-        pub dprvar_set_dprvar4: i32,
-        /// `0x2090:05` DPRVAR5.
-        pub dprvar_set_dprvar5: i32,
-        /// `0x2090:06` DPRVAR6.
-        pub dprvar_set_dprvar6: i32,
+        /// `0x2090:03` DPRVAR3 (32 bits).
+        pub dprvar_set_dprvar3_32_bits: i32,
+        /// `0x2090:04` DPRVAR4 (32 bits).
+        pub dprvar_set_dprvar4_32_bits: i32,
+        /// `0x2090:05` DPRVAR5 (32 bits).
+        pub dprvar_set_dprvar5_32_bits: i32,
+        /// `0x2090:06` DPRVAR6 (32 bits).
+        pub dprvar_set_dprvar6_32_bits: i32,
     }
 
     impl RxPdo1714 {
@@ -3157,10 +3190,10 @@ pub mod s300 {
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
-            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3.to_le_bytes();
-            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4.to_le_bytes();
-            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5.to_le_bytes();
-            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6.to_le_bytes();
+            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3_32_bits.to_le_bytes();
+            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4_32_bits.to_le_bytes();
+            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5_32_bits.to_le_bytes();
+            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6_32_bits.to_le_bytes();
             [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]
         }
 
@@ -3174,10 +3207,10 @@ pub mod s300 {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
                 dprvar_2_low: i16::from_le_bytes([b2, b3]),
-                dprvar_set_dprvar3: i32::from_le_bytes([b4, b5, b6, b7]),
-                dprvar_set_dprvar4: i32::from_le_bytes([b8, b9, b10, b11]),
-                dprvar_set_dprvar5: i32::from_le_bytes([b12, b13, b14, b15]),
-                dprvar_set_dprvar6: i32::from_le_bytes([b16, b17, b18, b19]),
+                dprvar_set_dprvar3_32_bits: i32::from_le_bytes([b4, b5, b6, b7]),
+                dprvar_set_dprvar4_32_bits: i32::from_le_bytes([b8, b9, b10, b11]),
+                dprvar_set_dprvar5_32_bits: i32::from_le_bytes([b12, b13, b14, b15]),
+                dprvar_set_dprvar6_32_bits: i32::from_le_bytes([b16, b17, b18, b19]),
             }
         }
     }
@@ -3188,10 +3221,10 @@ pub mod s300 {
         pub RxPdo1714View of RxPdo1714, 20;
         controlword, set_controlword: Controlword => 0, 16;
         dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
-        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
-        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
-        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
-        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
+        dprvar_set_dprvar3_32_bits, set_dprvar_set_dprvar3_32_bits: i32 => 32, 32;
+        dprvar_set_dprvar4_32_bits, set_dprvar_set_dprvar4_32_bits: i32 => 64, 32;
+        dprvar_set_dprvar5_32_bits, set_dprvar_set_dprvar5_32_bits: i32 => 96, 32;
+        dprvar_set_dprvar6_32_bits, set_dprvar_set_dprvar6_32_bits: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -3357,7 +3390,7 @@ pub mod s300 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3416,7 +3449,7 @@ pub mod s300 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3536,7 +3569,7 @@ pub mod s300 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3619,9 +3652,9 @@ pub mod s300 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3705,7 +3738,7 @@ pub mod s300 {
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
     }
 
@@ -3764,17 +3797,17 @@ pub mod s300 {
         pub position_actual_value_1: i32,
         /// `0x2050:00` Position actual value 2, in increments.
         pub position_actual_value_2: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x1003:00` Drive errors.
+        /// `0x1003:00` Drive error status.
         pub drive_errors: i32,
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,
@@ -3881,7 +3914,7 @@ pub mod s300 {
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -4668,75 +4701,75 @@ pub mod s300 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -4763,7 +4796,8 @@ pub mod s300 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -4780,9 +4814,9 @@ pub mod s300 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -4899,7 +4933,7 @@ pub mod s300 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -5103,7 +5137,7 @@ pub mod s300 {
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     20 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -6123,7 +6157,7 @@ pub mod s400 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S400, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S400, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
@@ -6177,7 +6211,7 @@ pub mod s400 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -6199,7 +6233,7 @@ pub mod s400 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -6246,7 +6280,7 @@ pub mod s400 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -6274,10 +6308,10 @@ pub mod s400 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -6548,7 +6582,7 @@ pub mod s400 {
         /// Updated in each bus cycle. Recorded as PFB0.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -6556,62 +6590,62 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -6625,56 +6659,72 @@ pub mod s400 {
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -6688,53 +6738,69 @@ pub mod s400 {
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -6756,29 +6822,29 @@ pub mod s400 {
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR1_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR2_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR3_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR4_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR5_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR6_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR7_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR8_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
@@ -6858,7 +6924,8 @@ pub mod s400 {
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
@@ -6914,14 +6981,14 @@ pub mod s400 {
         /// Outputs that the master reads in place of a terminal.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
         pub const OPMODE_REQUEST: Entry<S400, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
@@ -6945,7 +7012,7 @@ pub mod s400 {
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
@@ -7278,8 +7345,8 @@ pub mod s400 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -7288,10 +7355,10 @@ pub mod s400 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -7300,17 +7367,17 @@ pub mod s400 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -7340,10 +7407,10 @@ pub mod s400 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -7434,7 +7501,7 @@ pub mod s400 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -7782,13 +7849,13 @@ pub mod s400 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -7796,7 +7863,7 @@ pub mod s400 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -8256,7 +8323,7 @@ pub mod s400 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -8429,7 +8496,7 @@ pub mod s400 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -8488,7 +8555,7 @@ pub mod s400 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -8608,7 +8675,7 @@ pub mod s400 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -8691,9 +8758,9 @@ pub mod s400 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -9394,75 +9461,75 @@ pub mod s400 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -9489,7 +9556,8 @@ pub mod s400 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -9506,9 +9574,9 @@ pub mod s400 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -9623,7 +9691,7 @@ pub mod s400 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -9807,7 +9875,7 @@ pub mod s400 {
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    15 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     18 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -10719,7 +10787,7 @@ pub mod s600 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S600, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S600, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
@@ -10773,7 +10841,7 @@ pub mod s600 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -10795,7 +10863,7 @@ pub mod s600 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -10842,7 +10910,7 @@ pub mod s600 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -10870,10 +10938,10 @@ pub mod s600 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -11144,7 +11212,7 @@ pub mod s600 {
         /// Updated in each bus cycle. Recorded as PFB0.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -11152,62 +11220,62 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -11221,56 +11289,72 @@ pub mod s600 {
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -11284,53 +11368,69 @@ pub mod s600 {
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -11352,29 +11452,29 @@ pub mod s600 {
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR1_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR2_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR3_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR4_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR5_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR6_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR7_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR8_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
@@ -11454,7 +11554,8 @@ pub mod s600 {
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
@@ -11510,14 +11611,14 @@ pub mod s600 {
         /// Outputs that the master reads in place of a terminal.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
         pub const OPMODE_REQUEST: Entry<S600, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
@@ -11541,7 +11642,7 @@ pub mod s600 {
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
@@ -11874,8 +11975,8 @@ pub mod s600 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -11884,10 +11985,10 @@ pub mod s600 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -11896,17 +11997,17 @@ pub mod s600 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -11936,10 +12037,10 @@ pub mod s600 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -12030,7 +12131,7 @@ pub mod s600 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -12378,13 +12479,13 @@ pub mod s600 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -12392,7 +12493,7 @@ pub mod s600 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -12852,7 +12953,7 @@ pub mod s600 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -13025,7 +13126,7 @@ pub mod s600 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13084,7 +13185,7 @@ pub mod s600 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13204,7 +13305,7 @@ pub mod s600 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13287,9 +13388,9 @@ pub mod s600 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13990,75 +14091,75 @@ pub mod s600 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -14085,7 +14186,8 @@ pub mod s600 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -14102,9 +14204,9 @@ pub mod s600 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -14219,7 +14321,7 @@ pub mod s600 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -14403,7 +14505,7 @@ pub mod s600 {
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    15 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     18 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -15328,7 +15430,7 @@ pub mod s700 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
@@ -15347,7 +15449,7 @@ pub mod s700 {
             /// `0x170A:02` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x170A, 2);
 
-            /// `0x170A:03` State of digital output. UINT32, ro, default 0x23020010.
+            /// `0x170A:03` Set value for digital output1/bit 0 and output2/bit 1. UINT32, ro, default 0x23020010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x170A, 3);
         }
 
@@ -15397,10 +15499,10 @@ pub mod s700 {
             /// `0x1711:01` Position setpoint. UINT32, ro, default 0x60C10020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 1);
 
-            /// `0x1711:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1711:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 2);
 
-            /// `0x1711:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1711:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 3);
 
             /// `0x1711:04` Current limit. UINT32, ro, default 0x20610010.
@@ -15425,10 +15527,10 @@ pub mod s700 {
             /// `0x1712:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 1);
 
-            /// `0x1712:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1712:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 2);
 
-            /// `0x1712:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1712:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 3);
 
             /// `0x1712:04` Current limit. UINT32, ro, default 0x20610010.
@@ -15456,16 +15558,16 @@ pub mod s700 {
             /// `0x1714:02` DPRVAR2 (lower 16 bits). UINT32, ro, default 0x23060010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 2);
 
-            /// `0x1714:03` DPRVAR3. UINT32, ro, default 0x20900320.
+            /// `0x1714:03` DPRVAR3 (32 bits). UINT32, ro, default 0x20900320.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 3);
 
-            /// `0x1714:04` DPRVAR4. UINT32, ro, default 0x20900420.
+            /// `0x1714:04` DPRVAR4 (32 bits). UINT32, ro, default 0x20900420.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 4);
 
-            /// `0x1714:05` DPRVAR5. UINT32, ro, default 0x20900520.
+            /// `0x1714:05` DPRVAR5 (32 bits). UINT32, ro, default 0x20900520.
             pub const ENTRY_5: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 5);
 
-            /// `0x1714:06` DPRVAR6. UINT32, ro, default 0x20900620.
+            /// `0x1714:06` DPRVAR6 (32 bits). UINT32, ro, default 0x20900620.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 6);
         }
 
@@ -15532,7 +15634,7 @@ pub mod s700 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -15554,7 +15656,7 @@ pub mod s700 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -15601,7 +15703,7 @@ pub mod s700 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -15629,10 +15731,10 @@ pub mod s700 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -15663,7 +15765,7 @@ pub mod s700 {
             /// `0x1B0A:03` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0A, 3);
 
-            /// `0x1B0A:04` Digital I/O. UINT32, ro, default 0x60FD0010.
+            /// `0x1B0A:04` Digital input state. UINT32, ro, default 0x60FD0010.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0A, 4);
         }
 
@@ -15682,7 +15784,7 @@ pub mod s700 {
             /// `0x1B0B:02` Position actual value 2. UINT32, ro, default 0x20500020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 2);
 
-            /// `0x1B0B:03` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0B:03` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 3);
 
             /// `0x1B0B:04` Current actual value. UINT32, ro, default 0x60770010.
@@ -15691,13 +15793,13 @@ pub mod s700 {
             /// `0x1B0B:05` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_5: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 5);
 
-            /// `0x1B0B:06` Drive errors. UINT32, ro, default 0x10030020.
+            /// `0x1B0B:06` Drive error status. UINT32, ro, default 0x10030020.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 6);
 
             /// `0x1B0B:07` Drive warnings. UINT32, ro, default 0x20000020.
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 7);
 
-            /// `0x1B0B:08` Digital I/O. UINT32, ro, default 0x60FD0020.
+            /// `0x1B0B:08` Digital input state. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_8: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 8);
 
             /// `0x1B0B:09` Analog input 1. UINT32, ro, default 0x20B20110.
@@ -15725,7 +15827,7 @@ pub mod s700 {
             /// `0x1B0C:01` Position actual value 1. UINT32, ro, default 0x60630020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0C, 1);
 
-            /// `0x1B0C:02` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0C:02` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0C, 2);
 
             /// `0x1B0C:03` Statusword. UINT32, ro, default 0x60410010.
@@ -16008,7 +16110,7 @@ pub mod s700 {
         /// Updated in each bus cycle. Recorded as PFB0.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -16016,62 +16118,62 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -16085,56 +16187,72 @@ pub mod s700 {
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -16148,53 +16266,69 @@ pub mod s700 {
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -16216,29 +16350,29 @@ pub mod s700 {
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR1_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR2_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR3_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR4_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR5_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR6_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR7_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            pub const DPRVAR8_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
@@ -16318,7 +16452,8 @@ pub mod s700 {
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
@@ -16374,14 +16509,14 @@ pub mod s700 {
         /// Outputs that the master reads in place of a terminal.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
         pub const OPMODE_REQUEST: Entry<S700, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
@@ -16405,7 +16540,7 @@ pub mod s700 {
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
@@ -16738,8 +16873,8 @@ pub mod s700 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -16748,10 +16883,10 @@ pub mod s700 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -16760,17 +16895,17 @@ pub mod s700 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -16800,10 +16935,10 @@ pub mod s700 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -16894,7 +17029,7 @@ pub mod s700 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -17252,13 +17387,13 @@ pub mod s700 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -17266,7 +17401,7 @@ pub mod s700 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -17765,7 +17900,7 @@ pub mod s700 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -17841,7 +17976,7 @@ pub mod s700 {
         pub position_setpoint: i32,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x2302:00` State of digital output.
+        /// `0x2302:00` Set value for digital output1/bit 0 and output2/bit 1.
         pub digital_outputs: DigitalOutputs,
     }
 
@@ -17987,9 +18122,9 @@ pub mod s700 {
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
         pub position_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -18062,9 +18197,9 @@ pub mod s700 {
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
         pub velocity_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -18139,14 +18274,14 @@ pub mod s700 {
         pub controlword: Controlword,
         /// `0x2306:00` DPRVAR2 (lower 16 bits).
         pub dprvar_2_low: i16,
-        /// `0x2090:03` DPRVAR3.
-        pub dprvar_set_dprvar3: i32,
-        /// `0x2090:04` DPRVAR4.
-        pub dprvar_set_dprvar4: i32,
-        /// `0x2090:05` DPRVAR5.
-        pub dprvar_set_dprvar5: i32,
-        /// `0x2090:06` DPRVAR6.
-        pub dprvar_set_dprvar6: i32,
+        /// `0x2090:03` DPRVAR3 (32 bits).
+        pub dprvar_set_dprvar3_32_bits: i32,
+        /// `0x2090:04` DPRVAR4 (32 bits).
+        pub dprvar_set_dprvar4_32_bits: i32,
+        /// `0x2090:05` DPRVAR5 (32 bits).
+        pub dprvar_set_dprvar5_32_bits: i32,
+        /// `0x2090:06` DPRVAR6 (32 bits).
+        pub dprvar_set_dprvar6_32_bits: i32,
     }
 
     impl RxPdo1714 {
@@ -18155,10 +18290,10 @@ pub mod s700 {
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
-            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3.to_le_bytes();
-            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4.to_le_bytes();
-            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5.to_le_bytes();
-            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6.to_le_bytes();
+            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3_32_bits.to_le_bytes();
+            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4_32_bits.to_le_bytes();
+            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5_32_bits.to_le_bytes();
+            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6_32_bits.to_le_bytes();
             [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]
         }
 
@@ -18172,10 +18307,10 @@ pub mod s700 {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
                 dprvar_2_low: i16::from_le_bytes([b2, b3]),
-                dprvar_set_dprvar3: i32::from_le_bytes([b4, b5, b6, b7]),
-                dprvar_set_dprvar4: i32::from_le_bytes([b8, b9, b10, b11]),
-                dprvar_set_dprvar5: i32::from_le_bytes([b12, b13, b14, b15]),
-                dprvar_set_dprvar6: i32::from_le_bytes([b16, b17, b18, b19]),
+                dprvar_set_dprvar3_32_bits: i32::from_le_bytes([b4, b5, b6, b7]),
+                dprvar_set_dprvar4_32_bits: i32::from_le_bytes([b8, b9, b10, b11]),
+                dprvar_set_dprvar5_32_bits: i32::from_le_bytes([b12, b13, b14, b15]),
+                dprvar_set_dprvar6_32_bits: i32::from_le_bytes([b16, b17, b18, b19]),
             }
         }
     }
@@ -18186,10 +18321,10 @@ pub mod s700 {
         pub RxPdo1714View of RxPdo1714, 20;
         controlword, set_controlword: Controlword => 0, 16;
         dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
-        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
-        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
-        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
-        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
+        dprvar_set_dprvar3_32_bits, set_dprvar_set_dprvar3_32_bits: i32 => 32, 32;
+        dprvar_set_dprvar4_32_bits, set_dprvar_set_dprvar4_32_bits: i32 => 64, 32;
+        dprvar_set_dprvar5_32_bits, set_dprvar_set_dprvar5_32_bits: i32 => 96, 32;
+        dprvar_set_dprvar6_32_bits, set_dprvar_set_dprvar6_32_bits: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -18355,7 +18490,7 @@ pub mod s700 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18414,7 +18549,7 @@ pub mod s700 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18534,7 +18669,7 @@ pub mod s700 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18617,9 +18752,9 @@ pub mod s700 {
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18703,7 +18838,7 @@ pub mod s700 {
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
     }
 
@@ -18762,17 +18897,17 @@ pub mod s700 {
         pub position_actual_value_1: i32,
         /// `0x2050:00` Position actual value 2, in increments.
         pub position_actual_value_2: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x1003:00` Drive errors.
+        /// `0x1003:00` Drive error status.
         pub drive_errors: i32,
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,
@@ -18879,7 +19014,7 @@ pub mod s700 {
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -19666,75 +19801,75 @@ pub mod s700 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -19761,7 +19896,8 @@ pub mod s700 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -19778,9 +19914,9 @@ pub mod s700 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -19897,7 +20033,7 @@ pub mod s700 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -20101,7 +20237,7 @@ pub mod s700 {
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     20 => Some(sdo::Slot::I16(&mut self.current_limit)),
