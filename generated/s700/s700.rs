@@ -47,8 +47,8 @@ pub mod s300 {
     ///
     /// Models: SERVOSTAR 300-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -69,17 +69,20 @@ pub mod s300 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S300, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -89,23 +92,25 @@ pub mod s300 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_ERRORS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S300, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S300, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -115,8 +120,6 @@ pub mod s300 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -816,8 +819,6 @@ pub mod s300 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -887,17 +888,17 @@ pub mod s300 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S300, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -966,15 +967,19 @@ pub mod s300 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S300, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_WARNINGS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -982,6 +987,12 @@ pub mod s300 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -989,27 +1000,43 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -1018,6 +1045,8 @@ pub mod s300 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -1028,6 +1057,10 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -1035,51 +1068,83 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
@@ -1091,6 +1156,10 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -1098,66 +1167,98 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 16);
         }
@@ -1170,6 +1271,10 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -1177,66 +1282,98 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 16);
         }
@@ -1246,6 +1383,8 @@ pub mod s300 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -1254,6 +1393,12 @@ pub mod s300 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub mod dprvar_set {
             use super::*;
 
@@ -1261,33 +1406,51 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR1_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR2_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR3_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR4_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR5_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR6_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR7_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR8_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -1297,16 +1460,22 @@ pub mod s300 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const LATCH_CONTROLWORD: Entry<S300, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const LATCH_STATUSWORD: Entry<S300, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -1314,6 +1483,12 @@ pub mod s300 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod analog_inputs {
             use super::*;
 
@@ -1321,10 +1496,14 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -1332,26 +1511,36 @@ pub mod s300 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const JOG_VELOCITY: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_OUTPUTS: Entry<S300, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1359,6 +1548,8 @@ pub mod s300 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -1370,12 +1561,16 @@ pub mod s300 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -1383,6 +1578,12 @@ pub mod s300 {
         /// The lower 16 bits of the macro variables, for short mappings.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -1390,33 +1591,51 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -1424,6 +1643,8 @@ pub mod s300 {
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const OPMODE_REQUEST: Entry<S300, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -1431,6 +1652,8 @@ pub mod s300 {
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const OPMODE_MESSAGE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -1440,54 +1663,67 @@ pub mod s300 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ASCII_DATA: Entry<S300, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S300, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S300, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -1571,18 +1807,18 @@ pub mod s300 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S300, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -1615,7 +1851,7 @@ pub mod s300 {
         pub const VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -1627,7 +1863,7 @@ pub mod s300 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
@@ -4073,14 +4309,12 @@ pub mod s300 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -4127,14 +4361,12 @@ pub mod s300 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S300 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -4212,7 +4444,7 @@ pub mod s300 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -4504,25 +4736,25 @@ pub mod s300 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -4588,7 +4820,7 @@ pub mod s300 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -4608,9 +4840,10 @@ pub mod s300 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -4624,7 +4857,7 @@ pub mod s300 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S300, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -4636,17 +4869,17 @@ pub mod s300 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S300, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S300, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S300, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -4660,7 +4893,7 @@ pub mod s300 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -4832,9 +5065,9 @@ pub mod s300 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -4977,7 +5210,7 @@ pub mod s300 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -5070,7 +5303,7 @@ pub mod s300 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -5101,16 +5334,16 @@ pub mod s300 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -5288,7 +5521,7 @@ pub mod s300 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -5389,7 +5622,7 @@ pub mod s300 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -5622,7 +5855,7 @@ pub mod s300 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -5644,7 +5877,7 @@ pub mod s300 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -5790,8 +6023,8 @@ pub mod s300 {
             objects: &[
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -5810,8 +6043,8 @@ pub mod s300 {
                     60,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     504,
                 ),
@@ -5877,8 +6110,8 @@ pub mod s400 {
     ///
     /// Models: SERVOSTAR 400-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -5899,17 +6132,20 @@ pub mod s400 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S400, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -5919,23 +6155,25 @@ pub mod s400 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_ERRORS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S400, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S400, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -5945,8 +6183,6 @@ pub mod s400 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -6378,8 +6614,6 @@ pub mod s400 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -6449,17 +6683,17 @@ pub mod s400 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S400, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -6528,15 +6762,19 @@ pub mod s400 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S400, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_WARNINGS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -6544,6 +6782,12 @@ pub mod s400 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -6551,27 +6795,43 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -6580,6 +6840,8 @@ pub mod s400 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -6590,6 +6852,10 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -6597,51 +6863,83 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
@@ -6653,6 +6951,10 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -6660,66 +6962,98 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 16);
         }
@@ -6732,6 +7066,10 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -6739,66 +7077,98 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 16);
         }
@@ -6808,6 +7178,8 @@ pub mod s400 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -6816,6 +7188,12 @@ pub mod s400 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub mod dprvar_set {
             use super::*;
 
@@ -6823,33 +7201,51 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR1_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR2_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR3_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR4_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR5_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR6_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR7_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR8_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -6859,16 +7255,22 @@ pub mod s400 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const LATCH_CONTROLWORD: Entry<S400, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const LATCH_STATUSWORD: Entry<S400, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -6876,6 +7278,12 @@ pub mod s400 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod analog_inputs {
             use super::*;
 
@@ -6883,10 +7291,14 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -6894,26 +7306,36 @@ pub mod s400 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const JOG_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_OUTPUTS: Entry<S400, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -6921,6 +7343,8 @@ pub mod s400 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -6932,12 +7356,16 @@ pub mod s400 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -6945,6 +7373,12 @@ pub mod s400 {
         /// The lower 16 bits of the macro variables, for short mappings.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -6952,33 +7386,51 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -6986,6 +7438,8 @@ pub mod s400 {
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const OPMODE_REQUEST: Entry<S400, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -6993,6 +7447,8 @@ pub mod s400 {
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const OPMODE_MESSAGE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -7002,54 +7458,67 @@ pub mod s400 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ASCII_DATA: Entry<S400, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S400, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S400, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -7133,18 +7602,18 @@ pub mod s400 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S400, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -7177,7 +7646,7 @@ pub mod s400 {
         pub const VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -7189,7 +7658,7 @@ pub mod s400 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
@@ -8869,14 +9338,15 @@ pub mod s400 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -8923,14 +9393,15 @@ pub mod s400 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     impl Carries<Tx> for S400 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -8976,7 +9447,7 @@ pub mod s400 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -9268,25 +9739,25 @@ pub mod s400 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -9352,7 +9823,7 @@ pub mod s400 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -9372,9 +9843,10 @@ pub mod s400 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -9388,7 +9860,7 @@ pub mod s400 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S400, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -9400,17 +9872,17 @@ pub mod s400 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S400, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S400, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S400, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -9424,7 +9896,7 @@ pub mod s400 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -9592,9 +10064,9 @@ pub mod s400 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -9735,7 +10207,7 @@ pub mod s400 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -9810,7 +10282,7 @@ pub mod s400 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -9841,16 +10313,16 @@ pub mod s400 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -10006,7 +10478,7 @@ pub mod s400 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -10091,7 +10563,7 @@ pub mod s400 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -10252,7 +10724,7 @@ pub mod s400 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -10274,7 +10746,7 @@ pub mod s400 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -10420,8 +10892,8 @@ pub mod s400 {
             objects: &[
                 object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -10440,8 +10912,8 @@ pub mod s400 {
                     58,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     280,
                 ),
@@ -10507,8 +10979,8 @@ pub mod s600 {
     ///
     /// Models: SERVOSTAR 600-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -10529,17 +11001,20 @@ pub mod s600 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S600, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -10549,23 +11024,25 @@ pub mod s600 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_ERRORS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S600, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S600, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -10575,8 +11052,6 @@ pub mod s600 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -11008,8 +11483,6 @@ pub mod s600 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -11079,17 +11552,17 @@ pub mod s600 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S600, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -11158,15 +11631,19 @@ pub mod s600 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S600, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_WARNINGS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -11174,6 +11651,12 @@ pub mod s600 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -11181,27 +11664,43 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -11210,6 +11709,8 @@ pub mod s600 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -11220,6 +11721,10 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -11227,51 +11732,83 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
@@ -11283,6 +11820,10 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -11290,66 +11831,98 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 16);
         }
@@ -11362,6 +11935,10 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -11369,66 +11946,98 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 16);
         }
@@ -11438,6 +12047,8 @@ pub mod s600 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -11446,6 +12057,12 @@ pub mod s600 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub mod dprvar_set {
             use super::*;
 
@@ -11453,33 +12070,51 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR1_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR2_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR3_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR4_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR5_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR6_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR7_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR8_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -11489,16 +12124,22 @@ pub mod s600 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const LATCH_CONTROLWORD: Entry<S600, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const LATCH_STATUSWORD: Entry<S600, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -11506,6 +12147,12 @@ pub mod s600 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod analog_inputs {
             use super::*;
 
@@ -11513,10 +12160,14 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -11524,26 +12175,36 @@ pub mod s600 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const JOG_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_OUTPUTS: Entry<S600, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -11551,6 +12212,8 @@ pub mod s600 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -11562,12 +12225,16 @@ pub mod s600 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -11575,6 +12242,12 @@ pub mod s600 {
         /// The lower 16 bits of the macro variables, for short mappings.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -11582,33 +12255,51 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -11616,6 +12307,8 @@ pub mod s600 {
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const OPMODE_REQUEST: Entry<S600, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -11623,6 +12316,8 @@ pub mod s600 {
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const OPMODE_MESSAGE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -11632,54 +12327,67 @@ pub mod s600 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ASCII_DATA: Entry<S600, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S600, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S600, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -11763,18 +12471,18 @@ pub mod s600 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S600, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -11807,7 +12515,7 @@ pub mod s600 {
         pub const VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -11819,7 +12527,7 @@ pub mod s600 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
@@ -13499,14 +14207,15 @@ pub mod s600 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -13553,14 +14262,15 @@ pub mod s600 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     impl Carries<Tx> for S600 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -13606,7 +14316,7 @@ pub mod s600 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -13898,25 +14608,25 @@ pub mod s600 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -13982,7 +14692,7 @@ pub mod s600 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -14002,9 +14712,10 @@ pub mod s600 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -14018,7 +14729,7 @@ pub mod s600 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S600, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -14030,17 +14741,17 @@ pub mod s600 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S600, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S600, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S600, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -14054,7 +14765,7 @@ pub mod s600 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -14222,9 +14933,9 @@ pub mod s600 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -14365,7 +15076,7 @@ pub mod s600 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -14440,7 +15151,7 @@ pub mod s600 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -14471,16 +15182,16 @@ pub mod s600 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -14636,7 +15347,7 @@ pub mod s600 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -14721,7 +15432,7 @@ pub mod s600 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -14882,7 +15593,7 @@ pub mod s600 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -14904,7 +15615,7 @@ pub mod s600 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -15050,8 +15761,8 @@ pub mod s600 {
             objects: &[
                 object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -15070,8 +15781,8 @@ pub mod s600 {
                     58,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     280,
                 ),
@@ -15137,8 +15848,8 @@ pub mod s700 {
     ///
     /// Models: S700.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -15159,17 +15870,20 @@ pub mod s700 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S700, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -15179,23 +15893,25 @@ pub mod s700 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_ERRORS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S700, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S700, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -15205,8 +15921,6 @@ pub mod s700 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -15906,8 +16620,6 @@ pub mod s700 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -15977,17 +16689,17 @@ pub mod s700 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S700, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -16056,15 +16768,19 @@ pub mod s700 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S700, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DRIVE_WARNINGS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -16072,6 +16788,12 @@ pub mod s700 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -16079,27 +16801,43 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -16108,6 +16846,8 @@ pub mod s700 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -16118,6 +16858,10 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -16125,51 +16869,83 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2054, 0);
 
             /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
             /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
             /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
             /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
             /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
             /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
             /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
             /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
             /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
             /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
             /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
             /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
             /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
             /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
             /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
             /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const DIAGNOSE_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
@@ -16181,6 +16957,10 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -16188,66 +16968,98 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2055, 0);
 
             /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 1);
 
             /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 2);
 
             /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 3);
 
             /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 4);
 
             /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 5);
 
             /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 6);
 
             /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 7);
 
             /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 8);
 
             /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 9);
 
             /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 10);
 
             /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 11);
 
             /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 12);
 
             /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 13);
 
             /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 14);
 
             /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 15);
 
             /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2055, 16);
         }
@@ -16260,6 +17072,10 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -16267,66 +17083,98 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2056, 0);
 
             /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 1);
 
             /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 2);
 
             /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 3);
 
             /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 4);
 
             /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 5);
 
             /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 6);
 
             /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 7);
 
             /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 8);
 
             /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 9);
 
             /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 10);
 
             /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 11);
 
             /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 12);
 
             /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 13);
 
             /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 14);
 
             /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 15);
 
             /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
             pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
                 Entry::new(0x2056, 16);
         }
@@ -16336,6 +17184,8 @@ pub mod s700 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -16344,6 +17194,12 @@ pub mod s700 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub mod dprvar_set {
             use super::*;
 
@@ -16351,33 +17207,51 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2090, 0);
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR1_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR2_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR3_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR4_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR5_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR6_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR7_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
             pub const DPRVAR8_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -16387,16 +17261,22 @@ pub mod s700 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const LATCH_CONTROLWORD: Entry<S700, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const LATCH_STATUSWORD: Entry<S700, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// Inputs that the master sets in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -16404,6 +17284,12 @@ pub mod s700 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod analog_inputs {
             use super::*;
 
@@ -16411,10 +17297,14 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -16422,26 +17312,36 @@ pub mod s700 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const JOG_VELOCITY: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_OUTPUTS: Entry<S700, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR1, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// The lower half of macro variable DPRVAR2, for short mappings.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -16449,6 +17349,8 @@ pub mod s700 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -16460,12 +17362,16 @@ pub mod s700 {
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
         /// Digital override: makes the motion task run slower or faster.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -16473,6 +17379,12 @@ pub mod s700 {
         /// The lower 16 bits of the macro variables, for short mappings.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -16480,33 +17392,51 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column tells it; an actual value is read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
         /// Outputs that the master reads in place of a terminal.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -16514,6 +17444,8 @@ pub mod s700 {
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const OPMODE_REQUEST: Entry<S700, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -16521,6 +17453,8 @@ pub mod s700 {
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const OPMODE_MESSAGE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -16530,54 +17464,67 @@ pub mod s700 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const ASCII_DATA: Entry<S700, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column tells it; an actual value is read.
         pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S700, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S700, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -16661,18 +17608,18 @@ pub mod s700 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S700, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -16705,7 +17652,7 @@ pub mod s700 {
         pub const VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -16717,7 +17664,7 @@ pub mod s700 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
@@ -19173,14 +20120,12 @@ pub mod s700 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -19227,14 +20172,12 @@ pub mod s700 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S700 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -19312,7 +20255,7 @@ pub mod s700 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -19604,25 +20547,25 @@ pub mod s700 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -19688,7 +20631,7 @@ pub mod s700 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -19708,9 +20651,10 @@ pub mod s700 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -19724,7 +20668,7 @@ pub mod s700 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S700, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -19736,17 +20680,17 @@ pub mod s700 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S700, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S700, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S700, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -19760,7 +20704,7 @@ pub mod s700 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -19932,9 +20876,9 @@ pub mod s700 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -20077,7 +21021,7 @@ pub mod s700 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -20170,7 +21114,7 @@ pub mod s700 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -20201,16 +21145,16 @@ pub mod s700 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -20388,7 +21332,7 @@ pub mod s700 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -20489,7 +21433,7 @@ pub mod s700 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -20722,7 +21666,7 @@ pub mod s700 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -20744,7 +21688,7 @@ pub mod s700 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -20890,8 +21834,8 @@ pub mod s700 {
             objects: &[
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -20910,8 +21854,8 @@ pub mod s700 {
                     60,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     504,
                 ),
