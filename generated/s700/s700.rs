@@ -8,7 +8,7 @@ pub mod s300 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -170,7 +170,7 @@ pub mod s300 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -186,7 +186,7 @@ pub mod s300 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -202,7 +202,7 @@ pub mod s300 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -216,9 +216,9 @@ pub mod s300 {
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -243,7 +243,7 @@ pub mod s300 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -268,7 +268,7 @@ pub mod s300 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -290,7 +290,7 @@ pub mod s300 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -316,9 +316,9 @@ pub mod s300 {
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -349,7 +349,7 @@ pub mod s300 {
 
         /// `0x170A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod rx_pdo_170a {
             use super::*;
 
@@ -368,7 +368,7 @@ pub mod s300 {
 
         /// `0x1710` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod rx_pdo_1710 {
             use super::*;
 
@@ -402,7 +402,7 @@ pub mod s300 {
 
         /// `0x1711` Position interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 11.
         pub mod rx_pdo_1711 {
             use super::*;
 
@@ -430,7 +430,7 @@ pub mod s300 {
 
         /// `0x1712` Velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 12.
         pub mod rx_pdo_1712 {
             use super::*;
 
@@ -458,7 +458,7 @@ pub mod s300 {
 
         /// `0x1714` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod rx_pdo_1714 {
             use super::*;
 
@@ -499,7 +499,7 @@ pub mod s300 {
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -515,7 +515,7 @@ pub mod s300 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -532,9 +532,9 @@ pub mod s300 {
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -556,7 +556,7 @@ pub mod s300 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -578,7 +578,7 @@ pub mod s300 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -600,7 +600,7 @@ pub mod s300 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -629,9 +629,9 @@ pub mod s300 {
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -662,7 +662,7 @@ pub mod s300 {
 
         /// `0x1B0A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod tx_pdo_1b0a {
             use super::*;
 
@@ -684,7 +684,7 @@ pub mod s300 {
 
         /// `0x1B0B` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod tx_pdo_1b0b {
             use super::*;
 
@@ -730,7 +730,7 @@ pub mod s300 {
 
         /// `0x1B0C` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod tx_pdo_1b0c {
             use super::*;
 
@@ -1473,7 +1473,7 @@ pub mod s300 {
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
@@ -1531,14 +1531,14 @@ pub mod s300 {
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
@@ -1568,14 +1568,14 @@ pub mod s300 {
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
         ///
@@ -1633,7 +1633,7 @@ pub mod s300 {
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
         ///
         /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
@@ -1868,82 +1868,85 @@ pub mod s300 {
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -2069,10 +2072,8 @@ pub mod s300 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -2223,7 +2224,7 @@ pub mod s300 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -2462,7 +2463,7 @@ pub mod s300 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -2485,7 +2486,7 @@ pub mod s300 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -2602,9 +2603,11 @@ pub mod s300 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2651,9 +2654,11 @@ pub mod s300 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -2700,9 +2705,11 @@ pub mod s300 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -2747,11 +2754,11 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2816,9 +2823,9 @@ pub mod s300 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2883,9 +2890,9 @@ pub mod s300 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2944,9 +2951,9 @@ pub mod s300 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3017,11 +3024,12 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3100,9 +3108,11 @@ pub mod s300 {
 
     /// `0x170A` Position interface with digital I/O, 8 bytes.
     ///
-    /// Goes with 0x1B0A.
+    /// Interface 9. Goes with 0x1B0A.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 9.
+    ///
+    /// Assumed, mode: from its name and its set value.
     ///
     /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
     /// 0x1B0A are swapped.
@@ -3158,9 +3168,9 @@ pub mod s300 {
 
     /// `0x1710` Motion tasks with I/O and actual values, 26 bytes.
     ///
-    /// Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1710 {
         /// `0x607A:00` Motion task target position.
@@ -3251,9 +3261,11 @@ pub mod s300 {
 
     /// `0x1711` Position interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 11. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 11.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3326,9 +3338,11 @@ pub mod s300 {
 
     /// `0x1712` Velocity interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 12. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 12.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -3401,9 +3415,9 @@ pub mod s300 {
 
     /// `0x1714` Macro program interface, 20 bytes.
     ///
-    /// Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
+    /// Interface 13. Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1714 {
         /// `0x6040:00` Controlword.
@@ -3517,9 +3531,9 @@ pub mod s300 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3566,7 +3580,9 @@ pub mod s300 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3617,9 +3633,11 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3678,7 +3696,9 @@ pub mod s300 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3737,7 +3757,9 @@ pub mod s300 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3796,7 +3818,9 @@ pub mod s300 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3879,9 +3903,12 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3962,7 +3989,9 @@ pub mod s300 {
 
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 9.
+    ///
+    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -4024,9 +4053,9 @@ pub mod s300 {
 
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
     ///
-    /// More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -4143,9 +4172,10 @@ pub mod s300 {
 
     /// `0x1B0C` Macro program interface, 28 bytes.
     ///
-    /// DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
+    /// 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -4496,11 +4526,11 @@ pub mod s300 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -4657,7 +4687,7 @@ pub mod s300 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -4683,7 +4713,7 @@ pub mod s300 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -6071,7 +6101,7 @@ pub mod s400 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -6220,7 +6250,7 @@ pub mod s400 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -6236,7 +6266,7 @@ pub mod s400 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -6252,7 +6282,7 @@ pub mod s400 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -6266,9 +6296,9 @@ pub mod s400 {
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -6293,7 +6323,7 @@ pub mod s400 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -6318,7 +6348,7 @@ pub mod s400 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -6340,7 +6370,7 @@ pub mod s400 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -6366,9 +6396,9 @@ pub mod s400 {
             pub const ENTRY_6: Entry<S400, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -6399,7 +6429,7 @@ pub mod s400 {
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -6415,7 +6445,7 @@ pub mod s400 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -6432,9 +6462,9 @@ pub mod s400 {
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -6456,7 +6486,7 @@ pub mod s400 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -6478,7 +6508,7 @@ pub mod s400 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -6500,7 +6530,7 @@ pub mod s400 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -6529,9 +6559,9 @@ pub mod s400 {
             pub const ENTRY_7: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -7268,7 +7298,7 @@ pub mod s400 {
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
@@ -7326,14 +7356,14 @@ pub mod s400 {
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
@@ -7363,14 +7393,14 @@ pub mod s400 {
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
         ///
@@ -7428,7 +7458,7 @@ pub mod s400 {
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
         ///
         /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
@@ -7663,82 +7693,85 @@ pub mod s400 {
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -7864,10 +7897,8 @@ pub mod s400 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -8018,7 +8049,7 @@ pub mod s400 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -8257,7 +8288,7 @@ pub mod s400 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -8280,7 +8311,7 @@ pub mod s400 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -8358,9 +8389,11 @@ pub mod s400 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8407,9 +8440,11 @@ pub mod s400 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -8456,9 +8491,11 @@ pub mod s400 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -8503,11 +8540,11 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8572,9 +8609,9 @@ pub mod s400 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8639,9 +8676,9 @@ pub mod s400 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8700,9 +8737,9 @@ pub mod s400 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8773,11 +8810,12 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8856,9 +8894,9 @@ pub mod s400 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -8905,7 +8943,9 @@ pub mod s400 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -8956,9 +8996,11 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9017,7 +9059,9 @@ pub mod s400 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9076,7 +9120,9 @@ pub mod s400 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9135,7 +9181,9 @@ pub mod s400 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9218,9 +9266,12 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9499,11 +9550,11 @@ pub mod s400 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -9660,7 +9711,7 @@ pub mod s400 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -9686,7 +9737,7 @@ pub mod s400 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -10940,7 +10991,7 @@ pub mod s600 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -11089,7 +11140,7 @@ pub mod s600 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -11105,7 +11156,7 @@ pub mod s600 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -11121,7 +11172,7 @@ pub mod s600 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -11135,9 +11186,9 @@ pub mod s600 {
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -11162,7 +11213,7 @@ pub mod s600 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -11187,7 +11238,7 @@ pub mod s600 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -11209,7 +11260,7 @@ pub mod s600 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -11235,9 +11286,9 @@ pub mod s600 {
             pub const ENTRY_6: Entry<S600, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -11268,7 +11319,7 @@ pub mod s600 {
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -11284,7 +11335,7 @@ pub mod s600 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -11301,9 +11352,9 @@ pub mod s600 {
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -11325,7 +11376,7 @@ pub mod s600 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -11347,7 +11398,7 @@ pub mod s600 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -11369,7 +11420,7 @@ pub mod s600 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -11398,9 +11449,9 @@ pub mod s600 {
             pub const ENTRY_7: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -12137,7 +12188,7 @@ pub mod s600 {
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
@@ -12195,14 +12246,14 @@ pub mod s600 {
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
@@ -12232,14 +12283,14 @@ pub mod s600 {
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
         ///
@@ -12297,7 +12348,7 @@ pub mod s600 {
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
         ///
         /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
@@ -12532,82 +12583,85 @@ pub mod s600 {
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -12733,10 +12787,8 @@ pub mod s600 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -12887,7 +12939,7 @@ pub mod s600 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -13126,7 +13178,7 @@ pub mod s600 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -13149,7 +13201,7 @@ pub mod s600 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -13227,9 +13279,11 @@ pub mod s600 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13276,9 +13330,11 @@ pub mod s600 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -13325,9 +13381,11 @@ pub mod s600 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -13372,11 +13430,11 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13441,9 +13499,9 @@ pub mod s600 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13508,9 +13566,9 @@ pub mod s600 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13569,9 +13627,9 @@ pub mod s600 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13642,11 +13700,12 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13725,9 +13784,9 @@ pub mod s600 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13774,7 +13833,9 @@ pub mod s600 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13825,9 +13886,11 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13886,7 +13949,9 @@ pub mod s600 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13945,7 +14010,9 @@ pub mod s600 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -14004,7 +14071,9 @@ pub mod s600 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -14087,9 +14156,12 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -14368,11 +14440,11 @@ pub mod s600 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -14529,7 +14601,7 @@ pub mod s600 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -14555,7 +14627,7 @@ pub mod s600 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -15809,7 +15881,7 @@ pub mod s700 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -15971,7 +16043,7 @@ pub mod s700 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -15987,7 +16059,7 @@ pub mod s700 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -16003,7 +16075,7 @@ pub mod s700 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -16017,9 +16089,9 @@ pub mod s700 {
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -16044,7 +16116,7 @@ pub mod s700 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -16069,7 +16141,7 @@ pub mod s700 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -16091,7 +16163,7 @@ pub mod s700 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -16117,9 +16189,9 @@ pub mod s700 {
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -16150,7 +16222,7 @@ pub mod s700 {
 
         /// `0x170A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod rx_pdo_170a {
             use super::*;
 
@@ -16169,7 +16241,7 @@ pub mod s700 {
 
         /// `0x1710` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod rx_pdo_1710 {
             use super::*;
 
@@ -16203,7 +16275,7 @@ pub mod s700 {
 
         /// `0x1711` Position interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 11.
         pub mod rx_pdo_1711 {
             use super::*;
 
@@ -16231,7 +16303,7 @@ pub mod s700 {
 
         /// `0x1712` Velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 12.
         pub mod rx_pdo_1712 {
             use super::*;
 
@@ -16259,7 +16331,7 @@ pub mod s700 {
 
         /// `0x1714` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod rx_pdo_1714 {
             use super::*;
 
@@ -16300,7 +16372,7 @@ pub mod s700 {
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -16316,7 +16388,7 @@ pub mod s700 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -16333,9 +16405,9 @@ pub mod s700 {
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -16357,7 +16429,7 @@ pub mod s700 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -16379,7 +16451,7 @@ pub mod s700 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -16401,7 +16473,7 @@ pub mod s700 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -16430,9 +16502,9 @@ pub mod s700 {
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -16463,7 +16535,7 @@ pub mod s700 {
 
         /// `0x1B0A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod tx_pdo_1b0a {
             use super::*;
 
@@ -16485,7 +16557,7 @@ pub mod s700 {
 
         /// `0x1B0B` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod tx_pdo_1b0b {
             use super::*;
 
@@ -16531,7 +16603,7 @@ pub mod s700 {
 
         /// `0x1B0C` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod tx_pdo_1b0c {
             use super::*;
 
@@ -17274,7 +17346,7 @@ pub mod s700 {
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
@@ -17332,14 +17404,14 @@ pub mod s700 {
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_1_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const DPRVAR_2_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
@@ -17369,14 +17441,14 @@ pub mod s700 {
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
         ///
         /// Assumed, access: no column tells it; what the master sets it can write, and read back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
         ///
@@ -17434,7 +17506,7 @@ pub mod s700 {
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
         ///
         /// Assumed, access: no column tells it; an actual value is read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
@@ -17669,82 +17741,85 @@ pub mod s700 {
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -17870,10 +17945,8 @@ pub mod s700 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -18024,7 +18097,7 @@ pub mod s700 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -18273,7 +18346,7 @@ pub mod s700 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -18296,7 +18369,7 @@ pub mod s700 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -18413,9 +18486,11 @@ pub mod s700 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18462,9 +18537,11 @@ pub mod s700 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -18511,9 +18588,11 @@ pub mod s700 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -18558,11 +18637,11 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18627,9 +18706,9 @@ pub mod s700 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18694,9 +18773,9 @@ pub mod s700 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18755,9 +18834,9 @@ pub mod s700 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18828,11 +18907,12 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18911,9 +18991,11 @@ pub mod s700 {
 
     /// `0x170A` Position interface with digital I/O, 8 bytes.
     ///
-    /// Goes with 0x1B0A.
+    /// Interface 9. Goes with 0x1B0A.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 9.
+    ///
+    /// Assumed, mode: from its name and its set value.
     ///
     /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
     /// 0x1B0A are swapped.
@@ -18969,9 +19051,9 @@ pub mod s700 {
 
     /// `0x1710` Motion tasks with I/O and actual values, 26 bytes.
     ///
-    /// Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1710 {
         /// `0x607A:00` Motion task target position.
@@ -19062,9 +19144,11 @@ pub mod s700 {
 
     /// `0x1711` Position interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 11. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 11.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -19137,9 +19221,11 @@ pub mod s700 {
 
     /// `0x1712` Velocity interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 12. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 12.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -19212,9 +19298,9 @@ pub mod s700 {
 
     /// `0x1714` Macro program interface, 20 bytes.
     ///
-    /// Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
+    /// Interface 13. Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1714 {
         /// `0x6040:00` Controlword.
@@ -19328,9 +19414,9 @@ pub mod s700 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19377,7 +19463,9 @@ pub mod s700 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19428,9 +19516,11 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19489,7 +19579,9 @@ pub mod s700 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19548,7 +19640,9 @@ pub mod s700 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19607,7 +19701,9 @@ pub mod s700 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19690,9 +19786,12 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19773,7 +19872,9 @@ pub mod s700 {
 
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 9.
+    ///
+    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -19835,9 +19936,9 @@ pub mod s700 {
 
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
     ///
-    /// More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19954,9 +20055,10 @@ pub mod s700 {
 
     /// `0x1B0C` Macro program interface, 28 bytes.
     ///
-    /// DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
+    /// 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -20307,11 +20409,11 @@ pub mod s700 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -20468,7 +20570,7 @@ pub mod s700 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -20494,7 +20596,7 @@ pub mod s700 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
