@@ -93,7 +93,7 @@ pub mod s300 {
         ///
         /// The errors that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300".
@@ -979,7 +979,7 @@ pub mod s300 {
         ///
         /// The warnings that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -990,9 +990,9 @@ pub mod s300 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -1001,42 +1001,42 @@ pub mod s300 {
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -1046,7 +1046,7 @@ pub mod s300 {
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -1058,9 +1058,9 @@ pub mod s300 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -1157,9 +1157,9 @@ pub mod s300 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -1272,9 +1272,9 @@ pub mod s300 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -1384,7 +1384,7 @@ pub mod s300 {
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -1396,9 +1396,9 @@ pub mod s300 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
@@ -1407,42 +1407,42 @@ pub mod s300 {
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR1_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR2_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR3_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR4_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR5_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR6_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR7_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR8_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
@@ -1450,7 +1450,7 @@ pub mod s300 {
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -1461,21 +1461,21 @@ pub mod s300 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S300, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S300, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// The value of the digital inputs that software sets.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -1486,9 +1486,9 @@ pub mod s300 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -1497,13 +1497,13 @@ pub mod s300 {
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -1512,35 +1512,35 @@ pub mod s300 {
         ///
         /// The velocity of jogging.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S300, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1549,7 +1549,7 @@ pub mod s300 {
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -1562,7 +1562,7 @@ pub mod s300 {
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
@@ -1570,7 +1570,7 @@ pub mod s300 {
         ///
         /// The digital override.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -1581,9 +1581,9 @@ pub mod s300 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -1592,42 +1592,42 @@ pub mod s300 {
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
@@ -1635,7 +1635,7 @@ pub mod s300 {
         ///
         /// The value of the digital outputs that software sets.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -1644,7 +1644,7 @@ pub mod s300 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S300, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -1653,7 +1653,7 @@ pub mod s300 {
         ///
         /// Updated outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -1664,14 +1664,14 @@ pub mod s300 {
         ///
         /// Handled in the background, as what comes through the serial port is.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S300, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
@@ -1679,21 +1679,21 @@ pub mod s300 {
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
@@ -6186,7 +6186,7 @@ pub mod s400 {
         ///
         /// The errors that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400".
@@ -6804,7 +6804,7 @@ pub mod s400 {
         ///
         /// The warnings that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -6815,9 +6815,9 @@ pub mod s400 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -6826,42 +6826,42 @@ pub mod s400 {
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -6871,7 +6871,7 @@ pub mod s400 {
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -6883,9 +6883,9 @@ pub mod s400 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -6982,9 +6982,9 @@ pub mod s400 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -7097,9 +7097,9 @@ pub mod s400 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -7209,7 +7209,7 @@ pub mod s400 {
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -7221,9 +7221,9 @@ pub mod s400 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
@@ -7232,42 +7232,42 @@ pub mod s400 {
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR1_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR2_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR3_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR4_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR5_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR6_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR7_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR8_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
@@ -7275,7 +7275,7 @@ pub mod s400 {
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -7286,21 +7286,21 @@ pub mod s400 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S400, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S400, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// The value of the digital inputs that software sets.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -7311,9 +7311,9 @@ pub mod s400 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -7322,13 +7322,13 @@ pub mod s400 {
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -7337,35 +7337,35 @@ pub mod s400 {
         ///
         /// The velocity of jogging.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S400, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -7374,7 +7374,7 @@ pub mod s400 {
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -7387,7 +7387,7 @@ pub mod s400 {
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
@@ -7395,7 +7395,7 @@ pub mod s400 {
         ///
         /// The digital override.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -7406,9 +7406,9 @@ pub mod s400 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -7417,42 +7417,42 @@ pub mod s400 {
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
@@ -7460,7 +7460,7 @@ pub mod s400 {
         ///
         /// The value of the digital outputs that software sets.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -7469,7 +7469,7 @@ pub mod s400 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S400, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -7478,7 +7478,7 @@ pub mod s400 {
         ///
         /// Updated outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -7489,14 +7489,14 @@ pub mod s400 {
         ///
         /// Handled in the background, as what comes through the serial port is.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S400, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
@@ -7504,21 +7504,21 @@ pub mod s400 {
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
@@ -11076,7 +11076,7 @@ pub mod s600 {
         ///
         /// The errors that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600".
@@ -11694,7 +11694,7 @@ pub mod s600 {
         ///
         /// The warnings that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -11705,9 +11705,9 @@ pub mod s600 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -11716,42 +11716,42 @@ pub mod s600 {
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -11761,7 +11761,7 @@ pub mod s600 {
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -11773,9 +11773,9 @@ pub mod s600 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -11872,9 +11872,9 @@ pub mod s600 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -11987,9 +11987,9 @@ pub mod s600 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -12099,7 +12099,7 @@ pub mod s600 {
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -12111,9 +12111,9 @@ pub mod s600 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
@@ -12122,42 +12122,42 @@ pub mod s600 {
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR1_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR2_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR3_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR4_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR5_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR6_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR7_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR8_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
@@ -12165,7 +12165,7 @@ pub mod s600 {
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -12176,21 +12176,21 @@ pub mod s600 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S600, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S600, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// The value of the digital inputs that software sets.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -12201,9 +12201,9 @@ pub mod s600 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -12212,13 +12212,13 @@ pub mod s600 {
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -12227,35 +12227,35 @@ pub mod s600 {
         ///
         /// The velocity of jogging.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S600, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -12264,7 +12264,7 @@ pub mod s600 {
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -12277,7 +12277,7 @@ pub mod s600 {
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
@@ -12285,7 +12285,7 @@ pub mod s600 {
         ///
         /// The digital override.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -12296,9 +12296,9 @@ pub mod s600 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -12307,42 +12307,42 @@ pub mod s600 {
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
@@ -12350,7 +12350,7 @@ pub mod s600 {
         ///
         /// The value of the digital outputs that software sets.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -12359,7 +12359,7 @@ pub mod s600 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S600, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -12368,7 +12368,7 @@ pub mod s600 {
         ///
         /// Updated outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -12379,14 +12379,14 @@ pub mod s600 {
         ///
         /// Handled in the background, as what comes through the serial port is.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S600, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
@@ -12394,21 +12394,21 @@ pub mod s600 {
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
@@ -15966,7 +15966,7 @@ pub mod s700 {
         ///
         /// The errors that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
         /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700".
@@ -16852,7 +16852,7 @@ pub mod s700 {
         ///
         /// The warnings that are present.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -16863,9 +16863,9 @@ pub mod s700 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -16874,42 +16874,42 @@ pub mod s700 {
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -16919,7 +16919,7 @@ pub mod s700 {
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
         /// `0x2054` ENDAT 2.2 diagnose information.
@@ -16931,9 +16931,9 @@ pub mod s700 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_diagnose_information {
             use super::*;
 
@@ -17030,9 +17030,9 @@ pub mod s700 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
@@ -17145,9 +17145,9 @@ pub mod s700 {
         ///
         /// Source: 3.7.2.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
@@ -17257,7 +17257,7 @@ pub mod s700 {
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -17269,9 +17269,9 @@ pub mod s700 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
@@ -17280,42 +17280,42 @@ pub mod s700 {
 
             /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR1_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
             /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR2_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
             /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR3_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
             /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR4_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
             /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR5_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
             /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR6_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
             /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR7_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
             /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             ///
-            /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
             pub const DPRVAR8_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
@@ -17323,7 +17323,7 @@ pub mod s700 {
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -17334,21 +17334,21 @@ pub mod s700 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S700, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S700, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
         /// The value of the digital inputs that software sets.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -17359,9 +17359,9 @@ pub mod s700 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -17370,13 +17370,13 @@ pub mod s700 {
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -17385,35 +17385,35 @@ pub mod s700 {
         ///
         /// The velocity of jogging.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S700, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR1.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
         /// Writes the lower 16 bits of macro variable DPRVAR2.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -17422,7 +17422,7 @@ pub mod s700 {
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
@@ -17435,7 +17435,7 @@ pub mod s700 {
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
@@ -17443,7 +17443,7 @@ pub mod s700 {
         ///
         /// The digital override.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
@@ -17454,9 +17454,9 @@ pub mod s700 {
         ///
         /// Assumed, name: the rows have names for the entries only.
         ///
-        /// Assumed, kind: no column tells it; the rows of one index have one type.
+        /// Assumed, kind: no column for it; the rows of one index have one type.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -17465,42 +17465,42 @@ pub mod s700 {
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
             ///
-            /// Assumed, access: no column tells it; an actual value is read.
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
@@ -17508,7 +17508,7 @@ pub mod s700 {
         ///
         /// The value of the digital outputs that software sets.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
         /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
@@ -17517,7 +17517,7 @@ pub mod s700 {
         ///
         /// Taken outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S700, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
         /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
@@ -17526,7 +17526,7 @@ pub mod s700 {
         ///
         /// Updated outside the bus cycle.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -17537,14 +17537,14 @@ pub mod s700 {
         ///
         /// Handled in the background, as what comes through the serial port is.
         ///
-        /// Assumed, access: no column tells it; what the master sets it can write, and read back.
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S700, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
@@ -17552,21 +17552,21 @@ pub mod s700 {
         ///
         /// The temperature of the motor, in the unit that is configured; see TEMPM.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
         ///
-        /// Assumed, access: no column tells it; an actual value is read.
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
