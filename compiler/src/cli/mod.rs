@@ -5,9 +5,11 @@
 mod baseline;
 mod build;
 mod check;
+mod diff;
 mod draft;
 mod explain;
 mod fix;
+mod git;
 mod levels;
 mod outcome;
 mod paths;
@@ -41,6 +43,7 @@ struct Arguments {
 enum Command {
     Build(build::Build),
     Check(check::Check),
+    Diff(diff::Diff),
     Explain(explain::Explain),
     Rules(rules::Rules),
 }
@@ -50,6 +53,7 @@ Examples:
   devc build                      make the outputs of every description under devices/
   devc build devices/c887         make those of one
   devc check devices/c887         only say what is wrong with it
+  devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name";
 
@@ -63,6 +67,8 @@ Examples:
   devc check --format sarif       say it for a machine
   devc check --baseline known.json --update-baseline
                                   start from what is known today, then leave out the second option
+  devc diff old new --gate        whether the revision number announces what has changed
+  devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name
 
@@ -78,6 +84,7 @@ pub(crate) fn run() -> ExitCode {
     let outcome = match &arguments.command {
         Command::Build(build) => build.run(&report),
         Command::Check(check) => check.run(&report),
+        Command::Diff(diff) => diff.run(&report),
         Command::Explain(explain) => explain.run(&report),
         Command::Rules(rules) => rules.run(&report),
     };

@@ -59,6 +59,14 @@ impl Failure {
     }
 }
 
+impl Failure {
+    /// With help, if there is any.
+    #[must_use]
+    pub(super) fn maybe_help(self, help: String) -> Self {
+        if help.is_empty() { self } else { self.help(help) }
+    }
+}
+
 /// What the system says, as part of a sentence.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();

@@ -6,6 +6,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use crate::source::{Location, Origin};
+
 /// A way from a part of the model down to a value: `objects`, `0x6040`, `entries`, `0`, `default`.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FieldPath(pub Vec<String>);
@@ -19,6 +21,10 @@ pub struct Difference {
     pub first: Option<String>,
     /// The value in the second.
     pub second: Option<String>,
+    /// Where the first has it from.
+    pub first_at: Option<Location>,
+    /// Where the second has it from.
+    pub second_at: Option<Location>,
 }
 
 /// A part of the model.
@@ -31,8 +37,18 @@ pub trait Compare: PartialEq {
         None
     }
 
-    /// The value for people; the name of what is made of parts.
+    /// The value for people; what is made of parts is called by its name.
     fn shown(&self) -> String;
+
+    /// Where it was written, if it knows that itself.
+    fn origin(&self) -> Option<&Origin> {
+        None
+    }
+
+    /// Itself, if it is what says where something was written.
+    fn as_origin(&self) -> Option<&Origin> {
+        None
+    }
 
     /// Hands on what differs from another, at a path.
     fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference));
@@ -54,7 +70,34 @@ impl FieldPath {
     }
 
     fn differ(&self, first: Option<String>, second: Option<String>) -> Difference {
-        Difference { path: self.clone(), first, second }
+        Difference { path: self.clone(), first, second, first_at: None, second_at: None }
+    }
+}
+
+impl Difference {
+    /// Says where the two were written, by the origins of the parts in which they differ, `depth` steps down the path;
+    /// what is known already was found further inside, and is nearer.
+    pub(crate) fn written(mut self, depth: usize, first: Option<&Origin>, second: Option<&Origin>) -> Self {
+        let steps = self.path.0.get(depth..).unwrap_or_default();
+        self.first_at = self.first_at.or_else(|| first.map(|origin| located(origin, steps)));
+        self.second_at = self.second_at.or_else(|| second.map(|origin| located(origin, steps)));
+        self
+    }
+}
+
+/// Where the value of a field was written, as near as the description says it.
+fn located(origin: &Origin, steps: &[String]) -> Location {
+    let keys: Vec<String> = steps.iter().map(|step| key(step)).collect();
+    let known = (1..=keys.len()).rev().filter_map(|length| keys.get(..length)).map(|keys| keys.join("."));
+    known.filter(|path| origin.has(path)).map(|path| origin.value(&path)).next().unwrap_or(origin.header())
+}
+
+/// The key of a field in a description.
+fn key(field: &str) -> String {
+    match field {
+        "data_type" => "type".to_owned(),
+        "fields" => "bits".to_owned(),
+        field => field.replace('_', "-"),
     }
 }
 
@@ -132,11 +175,17 @@ impl<T: Compare> Compare for Vec<T> {
             let second = seconds.remove(&key);
             path.within(key, |path| match second {
                 Some(second) => first.compare(second, path, found),
-                None => found(path.differ(Some(first.shown()), None)),
+                None => {
+                    let gone = path.differ(Some(first.shown()), None);
+                    found(gone.written(path.0.len(), first.origin(), None));
+                }
             });
         }
         for (key, second) in seconds {
-            path.within(key, |path| found(path.differ(None, Some(second.shown()))));
+            path.within(key, |path| {
+                let new = path.differ(None, Some(second.shown()));
+                found(new.written(path.0.len(), None, second.origin()));
+            });
         }
     }
 }
@@ -159,15 +208,19 @@ impl<T: Compare> Compare for (T, T) {
 }
 
 /// Where a thing was written is not part of what it is.
-impl Compare for crate::source::Origin {
+impl Compare for Origin {
     fn shown(&self) -> String {
         String::new()
+    }
+
+    fn as_origin(&self) -> Option<&Origin> {
+        Some(self)
     }
 
     fn compare(&self, _: &Self, _: &mut FieldPath, _: &mut dyn FnMut(Difference)) {}
 }
 
-impl Compare for crate::source::Location {
+impl Compare for Location {
     fn shown(&self) -> String {
         String::new()
     }
@@ -186,7 +239,16 @@ macro_rules! compared {
             )?
 
             fn shown(&self) -> String {
+                $(
+                    if stringify!($field) == "name" {
+                        return $crate::model::Compare::shown(&self.$field);
+                    }
+                )*
                 stringify!($name).to_owned()
+            }
+
+            fn origin(&self) -> Option<&$crate::source::Origin> {
+                None$(.or_else(|| $crate::model::Compare::as_origin(&self.$field)))*
             }
 
             fn compare(
@@ -195,6 +257,13 @@ macro_rules! compared {
                 path: &mut $crate::model::FieldPath,
                 found: &mut dyn FnMut($crate::model::Difference),
             ) {
+                let (depth, first, second) = (
+                    path.0.len(),
+                    $crate::model::Compare::origin(self),
+                    $crate::model::Compare::origin(other),
+                );
+                let found: &mut dyn FnMut($crate::model::Difference) =
+                    &mut |difference| found(difference.written(depth, first, second));
                 $(
                     path.within(stringify!($field), |path| {
                         $crate::model::Compare::compare(&self.$field, &other.$field, path, found);
@@ -226,5 +295,12 @@ pub(crate) use compared;
 
 /// A choice as a word.
 pub(crate) fn word(choice: &dyn fmt::Debug) -> String {
-    format!("{choice:?}").to_lowercase()
+    let mut word = String::new();
+    for letter in format!("{choice:?}").chars() {
+        if letter.is_uppercase() && !word.is_empty() {
+            word.push('-');
+        }
+        word.extend(letter.to_lowercase());
+    }
+    word
 }
