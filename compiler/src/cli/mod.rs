@@ -7,17 +7,22 @@ mod build;
 mod check;
 mod diff;
 mod draft;
+mod existing;
 mod explain;
 mod fix;
 mod git;
 mod levels;
 mod limit;
+mod names;
+mod new;
 mod outcome;
 mod paths;
 mod report;
 mod rules;
+mod schema;
 mod timings;
 mod workers;
+mod workplace;
 mod write;
 
 use std::process::ExitCode;
@@ -46,11 +51,14 @@ enum Command {
     Check(check::Check),
     Diff(diff::Diff),
     Explain(explain::Explain),
+    New(new::New),
     Rules(rules::Rules),
+    Schema(schema::Schema),
 }
 
 const EXAMPLES: &str = "\
 Examples:
+  devc new devices/mydrive        begin a description
   devc build                      make the outputs of every description under devices/
   devc build devices/c887         make those of one
   devc check devices/c887         only say what is wrong with it
@@ -60,6 +68,8 @@ Examples:
 
 const LONG_EXAMPLES: &str = "\
 Examples:
+  devc new devices/mydrive --axes 2 --mode csp,hm
+                                  begin a description
   devc build                      make the outputs of every description under devices/
   devc build devices/c887         make those of one
   devc build --emit xml,md        make only the ESI and the Markdown
@@ -87,7 +97,9 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(check) => check.run(&report),
         Command::Diff(diff) => diff.run(&report),
         Command::Explain(explain) => explain.run(&report),
+        Command::New(new) => new.run(&report),
         Command::Rules(rules) => rules.run(&report),
+        Command::Schema(schema) => schema.run(&report),
     };
-    outcome.unwrap_or_else(|failure| report.failure(&failure)).into()
+    report.end(outcome.unwrap_or_else(|failure| report.failure(&failure))).into()
 }

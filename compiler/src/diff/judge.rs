@@ -46,11 +46,9 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["identity", field] => identity(field, versions)?,
         ["objects", rest @ ..] => dictionary::judge(versions, rest, difference)?,
         ["pdos", rest @ ..] => return process_data::judge(versions, rest, difference),
-        ["sync_managers", rest @ ..] => transport::sync_manager(versions, rest, difference)?,
+        ["sync_managers", rest @ ..] => transport::sync_manager(versions, rest)?,
         ["mailbox", rest @ ..] => transport::mailbox(versions, rest, difference),
         ["eeprom", field] => transport::eeprom(field),
-        ["physics"] => &kinds::CHANGED_HARDWARE,
-        ["profile"] => &kinds::CHANGED_PROFILE,
         ["configurations", rest @ ..] => return transport::configuration(rest, difference),
         ["sync_modes", rest @ ..] => timing::sync_mode(versions, rest, difference),
         ["cycle_times", rest @ ..] => timing::cycle_time(versions, rest, difference),
@@ -64,6 +62,16 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["homing_methods", rest @ ..] => modes::homing_method(rest, difference)?,
         ["errors" | "vendor_codes" | "al_status_codes", rest @ ..] => words::error(rest, difference)?,
         ["units", rest @ ..] => units::unit(versions, rest, difference)?,
+        _ => device(path)?,
+    };
+    Some(kind.into())
+}
+
+/// What a device says of itself, and what is for people.
+fn device(path: &[&str]) -> Option<&'static Kind> {
+    Some(match path {
+        ["physics"] => &kinds::CHANGED_HARDWARE,
+        ["profile"] => &kinds::CHANGED_PROFILE,
         ["axes", _, "name"] => &kinds::RENAMED,
         ["name" | "type_name"] => &kinds::RENAMED,
         // What members are called is how they are found; what repeats follows from the objects.
@@ -99,8 +107,7 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ] => &kinds::CHANGED_TEXT,
         // A part of the model that is not judged yet is taken for what must not change.
         _ => &kinds::CHANGED_BEHAVIOUR,
-    };
-    Some(kind.into())
+    })
 }
 
 fn identity(field: &str, versions: Versions<'_>) -> Option<&'static Kind> {
@@ -133,4 +140,9 @@ fn presence(difference: &Difference) -> Presence {
 fn means_else(difference: &Difference) -> bool {
     let (Some(old), Some(new)) = (&difference.first, &difference.second) else { return true };
     near(old, [new.as_str()].into_iter()).is_none()
+}
+
+/// Whether something does what it did.
+fn function(difference: &Difference) -> &'static Kind {
+    if difference.second.as_deref() == Some("true") { &kinds::GAINED_FUNCTION } else { &kinds::LOST_FUNCTION }
 }

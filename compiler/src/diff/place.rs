@@ -27,9 +27,9 @@ fn section(field: &str) -> Option<Section> {
     Section::find(&shown(field))
 }
 
-/// A field as descriptions write it.
+/// A field as descriptions write it, or the place in a list without the zeros that sort it.
 fn shown(field: &str) -> String {
-    field.replace('_', "-")
+    field.parse::<usize>().map_or_else(|_| field.replace('_', "-"), |place| place.to_string())
 }
 
 /// `0x6040`.

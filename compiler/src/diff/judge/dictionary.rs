@@ -1,6 +1,6 @@
 //! Objects.
 
-use super::{Presence, entry, presence};
+use super::{Presence, entry, function, presence};
 use crate::diff::change::Kind;
 use crate::diff::kinds;
 use crate::diff::place::{Versions, address, index};
@@ -11,6 +11,10 @@ const IDENTITY: Index = Index(0x1018);
 
 /// The number of entries stands in subindex 0.
 const COUNT: u8 = 0;
+
+/// What an object and its only value have in common.
+const OF_THE_OBJECT: [&str; 8] =
+    ["name", "id", "functional", "category", "about", "note", "parameter", "source"];
 
 pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Difference) -> Option<&'static Kind> {
     let (key, rest) = path.split_first()?;
@@ -68,14 +72,13 @@ fn of_entry(
     if is_count && old.entries.len() != new.entries.len() {
         return None;
     }
+    // What an object with one value says of itself it says of the value.
+    if new.kind == crate::model::Kind::Var && matches!(rest, [field] if OF_THE_OBJECT.contains(field)) {
+        return None;
+    }
     match (rest, presence(difference)) {
         ([], Presence::Gone) => Some(&kinds::REMOVED_ENTRY),
         ([], _) => Some(&kinds::ADDED_ENTRY),
         (rest, _) => entry::judge(versions, key, rest, difference),
     }
-}
-
-/// Whether something does what it did.
-pub(super) fn function(difference: &Difference) -> &'static Kind {
-    if difference.second.as_deref() == Some("true") { &kinds::GAINED_FUNCTION } else { &kinds::LOST_FUNCTION }
 }

@@ -1,7 +1,6 @@
 //! Entries of objects.
 
-use super::dictionary::function;
-use super::{Presence, means_else, presence, units};
+use super::{Presence, function, means_else, presence, units};
 use crate::diff::change::Kind;
 use crate::diff::kinds;
 use crate::diff::place::Versions;

@@ -12,11 +12,7 @@ const BUFFER_AND_DIRECTION: u8 = 0x0F;
 /// The steps of a path that lead to a configuration.
 const TO_A_CONFIGURATION: usize = 2;
 
-pub(super) fn sync_manager(
-    versions: Versions<'_>,
-    path: &[&str],
-    difference: &Difference,
-) -> Option<&'static Kind> {
+pub(super) fn sync_manager(versions: Versions<'_>, path: &[&str]) -> Option<&'static Kind> {
     let (key, rest) = path.split_first()?;
     let [Some(old), Some(new)] = [versions.old, versions.new].map(|device| manager(device, key)) else {
         return Some(&kinds::MOVED_SYNC_MANAGER);
@@ -29,14 +25,12 @@ pub(super) fn sync_manager(
         ["control"] if (old.control ^ new.control) & BUFFER_AND_DIRECTION == 0 => &kinds::CHANGED_WATCHDOG,
         ["address" | "size" | "control"] => &kinds::MOVED_SYNC_MANAGER,
         ["pdos"] => &kinds::CHANGED_ASSIGNMENT,
+        ["slots"] if old.pdos != new.pdos => return None,
         ["slots"] if new.slots < old.slots => &kinds::RESTRICTED_PDO,
         ["slots"] => &kinds::LOOSENED_PDO,
         ["max_size"] => area(old.max_size, new.max_size),
         ["source"] => &kinds::CHANGED_TEXT,
-        _ => {
-            let _ = difference;
-            &kinds::MOVED_SYNC_MANAGER
-        }
+        _ => &kinds::MOVED_SYNC_MANAGER,
     })
 }
 
