@@ -44,7 +44,8 @@ fn configuration(
         source,
         origin,
     };
-    configuration.startup = startup::startup(context, &configuration, objects, basis.mailbox);
+    configuration.startup =
+        startup::startup(context, &configuration, objects, basis.mailbox, basis.sync_managers);
     configuration
 }
 

@@ -45,8 +45,14 @@ pub struct Device {
     pub eeprom: Option<Eeprom>,
 }
 
-/// What a mapping unit is for.
-pub type Fmmu = String;
+/// A mapping unit.
+#[derive(Debug)]
+pub struct Fmmu {
+    /// What it is for.
+    pub kind: String,
+    /// The sync manager it is for.
+    pub sync_manager: Option<usize>,
+}
 
 /// A sync manager.
 #[derive(Debug)]
@@ -55,6 +61,8 @@ pub struct SyncManager {
     pub kind: String,
     /// The first byte.
     pub address: u16,
+    /// The smallest length.
+    pub min_size: Option<u16>,
     /// The length by default.
     pub size: u16,
     /// The greatest length.
@@ -63,6 +71,8 @@ pub struct SyncManager {
     pub control: u8,
     /// Whether it is on.
     pub enabled: bool,
+    /// Whether it is on in Operational only.
+    pub op_only: bool,
 }
 
 /// A PDO.
@@ -163,7 +173,7 @@ pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
         profile: (optional_number(profile, "ProfileNo")?, optional_number(profile, "AddInfo")?),
         channels: children(profile, "ChannelInfo").map(channel).collect::<Result<_, _>>()?,
         dictionary: dictionary::read(only(profile, "Dictionary")?)?,
-        fmmus: children(node, "Fmmu").map(content).collect(),
+        fmmus: children(node, "Fmmu").map(fmmu).collect::<Result<_, _>>()?,
         sync_managers: children(node, "Sm").map(sync_manager).collect::<Result<_, _>>()?,
         rx_pdos: children(node, "RxPdo").map(pdo).collect::<Result<_, _>>()?,
         tx_pdos: children(node, "TxPdo").map(pdo).collect::<Result<_, _>>()?,
@@ -182,14 +192,20 @@ fn channel(node: Node<'_, '_>) -> Result<(u32, String), String> {
     Ok((number(node, "ProfileNo")?, text(node, "DisplayName")?))
 }
 
+fn fmmu(node: Node<'_, '_>) -> Result<Fmmu, String> {
+    Ok(Fmmu { kind: content(node), sync_manager: attribute(node, "Sm")? })
+}
+
 fn sync_manager(node: Node<'_, '_>) -> Result<SyncManager, String> {
     Ok(SyncManager {
         kind: content(node),
         address: attribute(node, "StartAddress")?.ok_or("an Sm without StartAddress")?,
         size: attribute(node, "DefaultSize")?.ok_or("an Sm without DefaultSize")?,
+        min_size: attribute(node, "MinSize")?,
         max_size: attribute(node, "MaxSize")?,
         control: attribute(node, "ControlByte")?.ok_or("an Sm without ControlByte")?,
         enabled: flag(node, "Enable"),
+        op_only: flag(node, "OpOnly"),
     })
 }
 

@@ -50,7 +50,7 @@ fn it_finds_the_sync_managers_of_the_model() {
             let expected = model
                 .sync_managers
                 .iter()
-                .map(|it| (it.address, it.control, Some(it.size.into()), it.size > 0));
+                .map(|it| (it.address, it.control, Some(it.size.into()), it.enable));
             assert_eq!(found.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
         }
     }
@@ -74,7 +74,7 @@ fn it_finds_the_pdos_of_the_model() {
 
 fn compare(device: &Device, expected: &Pdo, found: &ethercat_esi::Pdo) {
     let manager = device.sync_managers.iter().find(|it| it.pdos.contains(&expected.index));
-    assert_eq!(u8::from(found.sm), manager.map_or(UNASSIGNED, |manager| manager.role.number()));
+    assert_eq!(u8::from(found.sm), manager.map_or(UNASSIGNED, |manager| manager.number));
     assert_eq!(u16::from(found.idx), expected.index.0);
     assert_eq!(found.name.as_ref(), Some(&expected.name));
     assert_eq!((found.fixed, found.mandatory), (expected.fixed, expected.mandatory));

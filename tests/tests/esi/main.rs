@@ -12,3 +12,4 @@ mod head;
 mod layout;
 mod process_data;
 mod subjects;
+mod sync_managers;

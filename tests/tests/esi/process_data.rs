@@ -5,18 +5,18 @@ use devc_tests::esi_reader;
 
 use crate::subjects::{corners, named, subjects};
 
-/// PDOs of the model with what the file says of them, and the number of their sync manager.
+/// PDOs of the model with what the file says of them.
 fn pdos<'a>(
     model: &'a Device,
     read: &'a esi_reader::Device,
-) -> impl Iterator<Item = (&'a Pdo, &'a esi_reader::Pdo, usize)> {
-    let both = [(Direction::Rx, &read.rx_pdos, 2), (Direction::Tx, &read.tx_pdos, 3)];
-    both.into_iter().flat_map(|(direction, read, manager)| {
+) -> impl Iterator<Item = (&'a Pdo, &'a esi_reader::Pdo)> {
+    let both = [(Direction::Rx, &read.rx_pdos), (Direction::Tx, &read.tx_pdos)];
+    both.into_iter().flat_map(|(direction, read)| {
         let pdos: Vec<_> = model.pdos_of(direction).collect();
         assert_eq!(pdos.len(), read.len());
         pdos.into_iter().map(move |pdo| {
             let found = read.iter().find(|read| read.index == pdo.index.0);
-            (pdo, found.unwrap_or_else(|| panic!("{} is not in the file", pdo.index)), manager)
+            (pdo, found.unwrap_or_else(|| panic!("{} is not in the file", pdo.index)))
         })
     })
 }
@@ -25,14 +25,16 @@ fn pdos<'a>(
 fn pdos_are_those_of_the_model() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
-            for (pdo, read, manager) in pdos(model, read) {
+            let managers = &read.sync_managers;
+            for (pdo, read) in pdos(model, read) {
                 assert_eq!(read.index, pdo.index.0);
                 assert_eq!(read.name, pdo.name, "{}", pdo.index);
                 assert_eq!((read.fixed, read.mandatory), (pdo.fixed, pdo.mandatory), "{}", pdo.index);
                 let excludes: Vec<_> = pdo.excludes.iter().map(|index| index.0).collect();
                 assert_eq!(read.excludes, excludes, "{}", pdo.index);
-                let assigned = model.sync_managers.iter().any(|it| it.pdos.contains(&pdo.index));
-                assert_eq!(read.sync_manager, assigned.then_some(manager), "{}", pdo.index);
+                let manager = model.sync_managers.iter().find(|it| it.pdos.contains(&pdo.index));
+                let manager = manager.map(|it| it.address);
+                assert_eq!(read.sync_manager.map(|place| managers[place].address), manager, "{}", pdo.index);
             }
         }
     }
@@ -42,7 +44,7 @@ fn pdos_are_those_of_the_model() {
 fn mapped_entries_are_those_of_the_model() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
-            for (pdo, read, _) in pdos(model, read) {
+            for (pdo, read) in pdos(model, read) {
                 assert_eq!(read.entries.len(), pdo.entries.len(), "{}", pdo.index);
                 for (mapped, entry) in pdo.entries.iter().zip(&read.entries) {
                     assert_eq!(entry.bits, mapped.bits, "{}: {}", pdo.index, mapped.name);
@@ -67,11 +69,11 @@ fn contradictions(model: &Device, read: &esi_reader::Device) -> Vec<(u16, &'stat
     let objects = read.dictionary.objects.iter();
     let values: Vec<_> = objects.flat_map(|object| read.dictionary.values(object).unwrap()).collect();
     let mut found = Vec::new();
-    for (_, pdo, manager) in pdos(model, read) {
+    for (described, pdo) in pdos(model, read) {
         for entry in pdo.entries.iter().filter(|entry| entry.index != 0) {
             let value =
                 values.iter().find(|it| (it.index, Some(it.subindex)) == (entry.index, entry.subindex));
-            let direction = if manager == 2 { 'R' } else { 'T' };
+            let direction = if described.direction == Direction::Rx { 'R' } else { 'T' };
             let mapping = value.and_then(|value| value.flags.pdo_mapping.clone()).unwrap_or_default();
             let fault = match value {
                 None => Some("missing"),
@@ -133,7 +135,7 @@ fn what_a_file_maps_in_another_way_than_its_dictionary_has_it_is_in_the_model() 
 fn each_pdo_is_an_object_that_maps_what_it_carries() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
-            for (_, pdo, _) in pdos(model, read) {
+            for (_, pdo) in pdos(model, read) {
                 let object = read.dictionary.objects.iter().find(|object| object.index == pdo.index).unwrap();
                 let values = read.dictionary.values(object).unwrap();
                 let mapped = values[1..].iter().map(|it| it.info.default.clone().unwrap());
@@ -151,7 +153,12 @@ fn each_pdo_is_an_object_that_maps_what_it_carries() {
 fn the_assignment_objects_name_the_pdos_that_name_a_sync_manager() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
-            for (manager, pdos) in [(2, &read.rx_pdos), (3, &read.tx_pdos)] {
+            for (manager, kind) in read.sync_managers.iter().map(|it| it.kind.as_str()).enumerate() {
+                let pdos = match kind {
+                    "Outputs" => &read.rx_pdos,
+                    "Inputs" => &read.tx_pdos,
+                    _ => continue,
+                };
                 let assigned = pdos.iter().filter(|pdo| pdo.sync_manager == Some(manager));
                 let assigned: Vec<_> = assigned.map(|pdo| pdo.index.to_le_bytes().to_vec()).collect();
                 let index = 0x1C10 + u16::try_from(manager).unwrap();
@@ -177,53 +184,6 @@ fn pdos_that_exclude_each_other_do_so_both_ways_and_are_not_assigned_together() 
                     }
                 }
             }
-        }
-    }
-}
-
-#[test]
-fn sync_managers_are_those_of_the_model_in_their_order() {
-    for subject in subjects() {
-        for (model, read) in subject.devices() {
-            let kinds: Vec<_> = read.sync_managers.iter().map(|it| it.kind.as_str()).collect();
-            assert_eq!(kinds, ["MBoxOut", "MBoxIn", "Outputs", "Inputs"]);
-            assert_eq!(read.fmmus, ["Outputs", "Inputs", "MBoxState"]);
-            for (manager, read) in model.sync_managers.iter().zip(&read.sync_managers) {
-                assert_eq!((read.address, read.control), (manager.address, manager.control));
-                assert_eq!((read.size, read.max_size), (manager.size, manager.max_size));
-                assert_eq!(read.enabled, manager.size > 0);
-            }
-        }
-    }
-}
-
-#[test]
-fn a_sync_manager_is_as_long_as_what_is_assigned_to_it() {
-    for subject in subjects() {
-        for (_, read) in subject.devices() {
-            for (manager, pdos) in [(2, &read.rx_pdos), (3, &read.tx_pdos)] {
-                let assigned = pdos.iter().filter(|pdo| pdo.sync_manager == Some(manager));
-                let bits: u32 = assigned.flat_map(|pdo| &pdo.entries).map(|entry| entry.bits).sum();
-                assert_eq!(u32::from(read.sync_managers[manager].size), bits.div_ceil(8));
-            }
-        }
-    }
-}
-
-#[test]
-fn areas_do_not_overlap_even_with_three_buffers() {
-    for subject in subjects() {
-        for (model, read) in subject.devices() {
-            let mut areas: Vec<_> = read
-                .sync_managers
-                .iter()
-                .map(|it| {
-                    let buffers = if it.control & 0b11 == 0 { 3 } else { 1 };
-                    (u32::from(it.address), u32::from(it.address) + buffers * u32::from(it.size))
-                })
-                .collect();
-            areas.sort_unstable();
-            assert!(areas.is_sorted_by(|one, next| one.1 <= next.0), "{}: {areas:X?}", model.name);
         }
     }
 }

@@ -17,7 +17,13 @@ const IN_FILE: &[(Section, &[&str])] = &[
         Section::Mailbox,
         &["protocols", "sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"],
     ),
-    (Section::SyncManagers, &["address", "size", "control", "pdos"]),
+    (
+        Section::SyncManagers,
+        &[
+            "role", "number", "address", "min-size", "size", "max-size", "control", "enable", "op-only",
+            "pdos",
+        ],
+    ),
     (Section::SyncModes, &["name", "assign-activate", "sync0", "sync1", "default"]),
     (Section::RxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
     (Section::TxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
@@ -49,8 +55,9 @@ fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
     let fmmus = (!device.sync_managers.is_empty()).then(|| {
         "Fmmu: one for each sync manager of process data and one for the state of the mailbox, as is usual".to_owned()
     });
-    let enable = (!device.sync_managers.is_empty())
-        .then(|| "Sm Enable = 1: each sync manager that is described is in use".to_owned());
+    let silent = device.sync_managers.iter().any(|manager| manager.enable && !manager.origin.has("enable"));
+    let enable =
+        silent.then(|| "Sm Enable = 1: each sync manager that carries something is in use".to_owned());
     lines.chain(fmmus).chain(enable)
 }
 

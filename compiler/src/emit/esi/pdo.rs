@@ -24,7 +24,7 @@ fn pdo(device: &Device, pdo: &Pdo) -> Element {
     Element::new(tag)
         .with_some("Fixed", pdo.fixed.then_some("1"))
         .with_some("Mandatory", pdo.mandatory.then_some("1"))
-        .with_some("Sm", assigned_to(device, pdo).map(|manager| manager.role.number()))
+        .with_some("Sm", assigned_to(device, pdo).map(|manager| manager.number))
         .child(Element::leaf("Index", Hex(pdo.index.0)))
         .child(Element::worded("Name", &pdo.name))
         .children(pdo.excludes.iter().map(|other| Element::leaf("Exclude", Hex(other.0))))

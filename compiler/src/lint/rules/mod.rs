@@ -10,6 +10,7 @@ mod ambiguous_value_name;
 mod ambiguous_vendor_code;
 mod clashing_identifier;
 mod commanded_automatic_transition;
+mod contradicted_control;
 mod contradicted_count;
 mod contradicted_default;
 mod contradicted_edge;
@@ -18,6 +19,7 @@ mod contradicted_identity;
 mod contradicted_modes;
 mod contradicted_notation;
 mod contradicted_profile;
+mod contradicted_size;
 mod contradicted_total;
 mod contradicted_width;
 mod deviating_access;
@@ -41,8 +43,10 @@ mod misaligned_entry;
 mod misclassified_error;
 mod misdirected_entry;
 mod misordered_sync_managers;
+mod misplaced_sync_manager;
 mod missing_group;
 mod missing_object;
+mod missing_sync_manager;
 mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
@@ -60,6 +64,7 @@ mod placeholder_identity;
 mod renamed_entry;
 mod repeated_alias;
 mod repeated_error;
+mod repeated_mailbox;
 mod repeated_mapping;
 mod reserved_index;
 mod several_edges;
@@ -77,6 +82,7 @@ pub(super) mod unmended_erratum;
 mod unnumbered_group;
 mod unplaced_object;
 mod unprintable_character;
+mod unreachable_area;
 mod unreachable_default;
 mod unreachable_transition;
 mod unrepresentable_value;
@@ -106,6 +112,7 @@ lints! {
     ambiguous_vendor_code,
     clashing_identifier,
     commanded_automatic_transition,
+    contradicted_control,
     contradicted_count,
     contradicted_default,
     contradicted_edge,
@@ -114,6 +121,7 @@ lints! {
     contradicted_modes,
     contradicted_notation,
     contradicted_profile,
+    contradicted_size,
     contradicted_total,
     contradicted_width,
     deviating_access,
@@ -137,8 +145,10 @@ lints! {
     misclassified_error,
     misdirected_entry,
     misordered_sync_managers,
+    misplaced_sync_manager,
     missing_group,
     missing_object,
+    missing_sync_manager,
     mixed_vendors,
     odd_count_type,
     one_sided_exclusion,
@@ -156,6 +166,7 @@ lints! {
     renamed_entry,
     repeated_alias,
     repeated_error,
+    repeated_mailbox,
     repeated_mapping,
     reserved_index,
     several_edges,
@@ -173,6 +184,7 @@ lints! {
     unnumbered_group,
     unplaced_object,
     unprintable_character,
+    unreachable_area,
     unreachable_default,
     unreachable_transition,
     unrepresentable_value,

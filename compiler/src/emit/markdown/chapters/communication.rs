@@ -91,22 +91,46 @@ fn al_status_codes(context: &Context<'_>, codes: &[AlStatusCode]) -> Table {
 }
 
 fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
-    let titles =
-        ["SM", "Carries", "Address", "Size", "At most", "Control", "PDOs by default", "Slots", "Source"];
+    let titles = [
+        "SM",
+        "Carries",
+        "Address",
+        "Size",
+        "At least",
+        "At most",
+        "Control",
+        "On",
+        "PDOs by default",
+        "Slots",
+        "Source",
+    ];
     Table::of(titles, managers, |manager| {
-        let SyncManager { role, address, size, max_size, control, pdos, slots, source, origin } = manager;
+        let SyncManager { id: _, number, role, address, size, control, pdos, slots, source, origin, .. } =
+            manager;
+        let limit = |size: Option<u16>| size.map_or(String::new(), |size| bytes(size.into()));
         [
-            role.number().to_string(),
+            number.to_string(),
             carries(*role).into(),
             code(format!("0x{address:04X}")),
             bytes((*size).into()),
-            max_size.map_or(String::new(), |size| bytes(size.into())),
+            limit(manager.min_size),
+            limit(manager.max_size),
             code(format!("0x{control:02X}")),
+            on(manager).into(),
             list(pdos.iter().map(|pdo| context.index(*pdo))),
             if *slots == 0 { String::new() } else { slots.to_string() },
             context.said(source.as_ref(), origin),
         ]
     })
+}
+
+/// When a sync manager is on, if that is not always.
+fn on(manager: &SyncManager) -> &'static str {
+    match (manager.enable, manager.op_only) {
+        (false, _) => "no",
+        (true, true) => "in Operational only",
+        (true, false) => "",
+    }
 }
 
 fn carries(role: Role) -> &'static str {

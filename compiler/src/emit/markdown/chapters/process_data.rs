@@ -95,8 +95,7 @@ fn overview(context: &Context<'_>, pdos: &[&Pdo]) -> Table {
 fn image(context: &Context<'_>, role: Role) -> Table {
     let mut table = Table::new(["Bytes", "PDO", "Name", "Axis"]);
     let mut offset = 0;
-    let assigned = context.device.sync_manager(role).into_iter().flat_map(|manager| &manager.pdos);
-    for pdo in assigned.filter_map(|index| context.device.pdo(*index)) {
+    for pdo in context.device.assigned(role) {
         let axis = pdo.axis.and_then(|axis| context.device.axes.get(usize::from(axis)));
         table.row([
             place(offset, pdo.bits()),
