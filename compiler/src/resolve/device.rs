@@ -111,9 +111,16 @@ fn eeprom() -> Eeprom {
 /// How the axes share the dictionary.
 fn arrangement(context: &Context<'_>, raw: Option<RawAxes>) -> Arrangement {
     // The names stand with the axes, the ranges in the context.
-    let RawAxes { key: _, names: _, about: _, shifts: _, pdo_shift: _, coupling, source, origin } =
+    let RawAxes { key: _, names: _, about: _, shifts: _, pdo_shift: _, add_info, coupling, source, origin } =
         raw.unwrap_or_default();
-    Arrangement { shifts: context.shifts.clone(), pdo_shift: context.pdo_shift, coupling, source, origin }
+    Arrangement {
+        shifts: context.shifts.clone(),
+        pdo_shift: context.pdo_shift,
+        add_info,
+        coupling,
+        source,
+        origin,
+    }
 }
 
 fn by_direction(pdos: Vec<Pdo>) -> Vec<Pdo> {

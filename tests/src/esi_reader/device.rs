@@ -23,8 +23,8 @@ pub struct Device {
     pub group: String,
     /// Number and additional information of its profile.
     pub profile: (Option<u32>, Option<u32>),
-    /// Number and name of each channel of the profile.
-    pub channels: Vec<(u32, String)>,
+    /// Number, additional information and name of each channel of the profile.
+    pub channels: Vec<(u32, Option<u32>, Option<String>)>,
     /// Its object dictionary.
     pub dictionary: Dictionary,
     /// Its mapping units.
@@ -188,8 +188,8 @@ pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
     })
 }
 
-fn channel(node: Node<'_, '_>) -> Result<(u32, String), String> {
-    Ok((number(node, "ProfileNo")?, text(node, "DisplayName")?))
+fn channel(node: Node<'_, '_>) -> Result<(u32, Option<u32>, Option<String>), String> {
+    Ok((number(node, "ProfileNo")?, optional_number(node, "AddInfo")?, optional_text(node, "DisplayName")?))
 }
 
 fn fmmu(node: Node<'_, '_>) -> Result<Fmmu, String> {

@@ -3,7 +3,7 @@
 use devc::model::{Device, Direction, Pdo};
 use ethercat_esi::EtherCatInfo;
 
-use crate::subjects::{Subject, subjects};
+use crate::subjects::{Subject, is_named, subjects};
 
 /// What stands for "not assigned" below.
 const UNASSIGNED: u8 = 255;
@@ -76,15 +76,15 @@ fn compare(device: &Device, expected: &Pdo, found: &ethercat_esi::Pdo) {
     let manager = device.sync_managers.iter().find(|it| it.pdos.contains(&expected.index));
     assert_eq!(u8::from(found.sm), manager.map_or(UNASSIGNED, |manager| manager.number));
     assert_eq!(u16::from(found.idx), expected.index.0);
-    assert_eq!(found.name.as_ref(), Some(&expected.name));
+    let name = found.name.as_deref().unwrap_or_default();
+    assert!(is_named(device, name, &expected.name, expected.axis), "{}: {name}", expected.index);
     assert_eq!((found.fixed, found.mandatory), (expected.fixed, expected.mandatory));
-    let entries = found
-        .entries
-        .iter()
-        .map(|it| (u16::from(it.entry_idx.idx), u8::from(it.entry_idx.sub_idx), it.bit_len, it.name.clone()));
+    let entries = found.entries.iter().map(|it| {
+        (u16::from(it.entry_idx.idx), u8::from(it.entry_idx.sub_idx), it.bit_len, it.name.is_some())
+    });
     let mapped = expected.entries.iter().map(|it| {
         let (index, subindex) = it.address.map_or((0, 0), |address| (address.index.0, address.subindex));
-        (index, subindex, it.bits as usize, it.address.map(|_| it.name.clone()))
+        (index, subindex, it.bits as usize, it.address.is_some())
     });
     assert_eq!(entries.collect::<Vec<_>>(), mapped.collect::<Vec<_>>(), "{}", expected.index);
 }

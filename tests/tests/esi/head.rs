@@ -3,7 +3,7 @@
 use devc::model::{Section, SyncSignal};
 use devc_tests::esi_reader::Signal;
 
-use crate::subjects::subjects;
+use crate::subjects::{named, subjects};
 
 #[test]
 fn vendor_and_groups_are_those_of_the_model() {
@@ -37,11 +37,32 @@ fn identity_is_that_of_the_model() {
 fn each_axis_is_a_channel_of_the_profile() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
-            let axes = model.axes.iter().filter_map(|axis| Some((model.profile?, axis.name.clone())));
+            let named = |axis: &devc::model::Axis| (!axis.name.is_empty()).then(|| axis.name.clone());
+            let axes = model.axes.iter().filter_map(|axis| Some((model.profile?, named(axis))));
             assert_eq!(read.profile.0, model.profile);
-            assert_eq!(read.channels, axes.collect::<Vec<_>>());
+            let channels = read.channels.iter().map(|(number, _, name)| (*number, name.clone()));
+            assert_eq!(channels.collect::<Vec<_>>(), axes.collect::<Vec<_>>());
         }
     }
+}
+
+/// The upper half of the device type is 2 for a servo drive (CiA 402) and 0xFFFF for several axes (CiA 301); that is
+/// no type of an axis.
+#[test]
+fn each_channel_of_a_servo_drive_says_that_it_is_one() {
+    for family in ["c887", "s700", "pmc-sc6"] {
+        for (_, read) in named(family).devices() {
+            assert!(!read.channels.is_empty(), "{family}");
+            assert!(read.channels.iter().all(|(_, information, _)| *information == Some(2)), "{family}");
+        }
+    }
+}
+
+#[test]
+fn name_and_title_are_parted_by_a_colon() {
+    let names = |family| named(family).devices().map(|(_, read)| read.name.clone()).collect::<Vec<_>>();
+    assert_eq!(names("c887"), ["C-887.53x: Hexapod controller with EtherCAT interface"]);
+    assert_eq!(names("without_outputs"), ["Sensor"], "no title, no colon");
 }
 
 #[test]

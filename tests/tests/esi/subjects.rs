@@ -51,6 +51,14 @@ pub(crate) fn subjects() -> &'static [Subject] {
     &SUBJECTS
 }
 
+/// Whether a name in a file is that of the model, with the axis behind it where there are several.
+pub(crate) fn is_named(model: &Device, read: &str, name: &str, axis: Option<u8>) -> bool {
+    match axis.and_then(|axis| model.axes.get(usize::from(axis))).filter(|_| model.axes.len() > 1) {
+        Some(axis) => read == format!("{name} ({})", axis.name) || read == name && name.contains(&axis.name),
+        None => read == name,
+    }
+}
+
 /// The one of this id.
 pub(crate) fn named(id: &str) -> &'static Subject {
     subjects().iter().find(|subject| subject.family.id == id).unwrap()

@@ -28,10 +28,10 @@ fn type_and_identity(device: &Device) -> Element {
         .with("RevisionNo", Hex(device.identity.revision))
 }
 
-/// What a person picks from a list: the name to order by, and what that is.
+/// What a person picks from a list: the name to order by, and behind a colon what that is.
 fn name(device: &Device) -> String {
     match &device.title {
-        Some(title) => prose(&format!("{} {title}", device.name)),
+        Some(title) => prose(&format!("{}: {title}", device.name)),
         None => device.name.clone(),
     }
 }

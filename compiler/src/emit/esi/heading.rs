@@ -12,7 +12,7 @@ use crate::model::{Assumption, Device, Family, Section};
 const IN_FILE: &[(Section, &[&str])] = &[
     (Section::Device, &["name", "vendor", "group", "type-name", "profile", "physics", "title"]),
     (Section::Identity, &["vendor-id", "product-code", "revision", "serial"]),
-    (Section::Axes, &["names"]),
+    (Section::Axes, &["names", "add-info"]),
     (
         Section::Mailbox,
         &["protocols", "sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"],
@@ -46,8 +46,24 @@ fn is_in_file(assumption: &Assumption, device: &Device) -> bool {
     keys.is_some_and(|keys| first.is_none_or(|first| keys.contains(&first)))
 }
 
-/// What the file says of a mailbox although the description does not.
+/// What the file says although the description does not.
 fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
+    let head = [("physics", &device.physics), ("group", &device.group), ("type-name", &device.type_name)];
+    let head = head.into_iter().filter(|(key, _)| !device.origin.has(key));
+    let head: Vec<_> =
+        head.map(|(key, value)| format!("device.{key} = {value}: the description does not say it")).collect();
+    let control = device.sync_managers.iter().filter(|manager| !manager.origin.has("control"));
+    let control = control.map(|manager| {
+        let (id, control) = (&manager.id, manager.control);
+        format!("sync-managers.{id}.control = 0x{control:02X}: usual for what it carries")
+    });
+    let control: Vec<_> = control.collect();
+    let free = device.mailbox.as_ref().is_some_and(|mailbox| mailbox.pdo_config);
+    let fixed = device.pdos.iter().any(|pdo| pdo.fixed && free && !pdo.origin.has("fixed"));
+    let fixed =
+        fixed.then(|| "Fixed = 1: where the description does not say that a mapping is free".to_owned());
+    let layer =
+        device.mailbox.as_ref().map(|_| "DataLinkLayer = 1: mail is acknowledged, as is usual".to_owned());
     let keys = ["sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"];
     let said = |key: &&str| device.mailbox.as_ref().is_none_or(|mailbox| mailbox.origin.has(key));
     let keys: Vec<&str> = keys.into_iter().filter(|key| !said(key)).collect();
@@ -58,7 +74,7 @@ fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
     let silent = device.sync_managers.iter().any(|manager| manager.enable && !manager.origin.has("enable"));
     let enable =
         silent.then(|| "Sm Enable = 1: each sync manager that carries something is in use".to_owned());
-    lines.chain(fmmus).chain(enable)
+    head.into_iter().chain(lines).chain(layer).chain(control).chain(fmmus).chain(enable).chain(fixed)
 }
 
 /// The text of the comment.

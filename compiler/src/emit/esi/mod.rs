@@ -15,6 +15,7 @@ mod groups;
 mod heading;
 mod literal;
 mod mailbox;
+mod names;
 mod objects;
 mod pdo;
 mod primitive;

@@ -27,6 +27,21 @@ pub(super) fn name(data_type: DataType) -> String {
     }
 }
 
+/// The name of a type that says of a value no more than how wide it is.
+pub(super) fn of_width(bits: u32) -> String {
+    match bits {
+        8 => "BYTE".into(),
+        16 => "WORD".into(),
+        32 => "DWORD".into(),
+        // ETG.1020 has bits up to 16, and of whole bytes no other than numbers and arrays.
+        ..=16 => format!("BIT{bits}"),
+        24 | 40 | 48 | 56 => format!("UINT{bits}"),
+        64 => "ULINT".into(),
+        _ if bits.is_multiple_of(8) => format!("ARRAY [0..{}] OF BYTE", bits / 8 - 1),
+        _ => format!("ARRAY [0..{}] OF BIT", bits - 1),
+    }
+}
+
 /// The place of a type among its like: bits, numbers by sign and width, text by length.
 pub(super) fn order(data_type: DataType) -> (u8, u32) {
     let kind = match data_type {

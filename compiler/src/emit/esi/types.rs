@@ -123,7 +123,7 @@ impl Types {
             .child(Element::leaf("SubIdx", entry.address.subindex))
             .child(Element::leaf("Name", &member.name))
             .child(Element::leaf("Type", self.name_of_member(member)))
-            .child(comment::of_entry(entry))
+            .child(comment::of_entry(member))
             .child(Element::leaf("BitSize", member.data_type.bits()))
             .child(Element::leaf("BitOffs", member.offset))
             .child(flags::of_entry(entry))
