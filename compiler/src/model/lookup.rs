@@ -44,6 +44,17 @@ impl Device {
         manager.pdos.iter().filter_map(|index| self.pdo(*index))
     }
 
+    /// The sync units that PDOs name, each once.
+    pub fn sync_units(&self) -> Vec<&str> {
+        let mut units: Vec<&str> = Vec::new();
+        for unit in self.pdos.iter().filter_map(|pdo| pdo.sync_unit.as_deref()) {
+            if !units.contains(&unit) {
+                units.push(unit);
+            }
+        }
+        units
+    }
+
     /// The word of this id.
     pub fn word(&self, id: &str) -> Option<&Word> {
         self.words.iter().find(|word| word.id == id)

@@ -73,7 +73,7 @@ pub use state::{
     Answer, Command, CommunicationState, CommunicationTransition, Event, Scope, State, Transition,
 };
 pub use table::Table;
-pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
+pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal, Timeouts};
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
 pub use value::Value;
@@ -166,6 +166,8 @@ model! {
         pub sync_managers: Vec<SyncManager>,
         /// The mailbox.
         pub mailbox: Option<Mailbox>,
+        /// How long a master waits, if that is said.
+        pub timeouts: Option<Timeouts>,
         /// The words made of bits.
         pub words: Vec<Word>,
         /// The states of a drive, in the order of the standard.
@@ -251,6 +253,9 @@ table! {
         /// The serial number of a device that has none of its own; 0 if absent.
         #[serde(default)]
         pub serial: u32,
+        /// The revisions that it takes the place of, so that tools no longer offer them.
+        #[serde(default)]
+        pub replaces: Vec<u32>,
     }
 
     /// `[family]`: what the members of a family have in common.

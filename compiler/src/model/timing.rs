@@ -41,6 +41,28 @@ table! {
         pub about: Option<String>,
     }
 
+    /// `[timeouts]`: how long a master waits for the device, for a change of the EtherCAT state and for mail.
+    pub struct Timeouts {
+        /// For Pre-Operational.
+        #[serde(rename(serialize = "pre_op_ns"))]
+        pub pre_op: Option<Duration>,
+        /// For Safe-Operational and Operational.
+        #[serde(rename(serialize = "safe_op_op_ns"))]
+        pub safe_op_op: Option<Duration>,
+        /// For Init, on the way back.
+        #[serde(rename(serialize = "back_to_init_ns"))]
+        pub back_to_init: Option<Duration>,
+        /// For Safe-Operational, on the way back.
+        #[serde(rename(serialize = "back_to_safe_op_ns"))]
+        pub back_to_safe_op: Option<Duration>,
+        /// Until the device has read a request.
+        #[serde(rename(serialize = "request_ns"))]
+        pub request: Option<Duration>,
+        /// Until the device has answered it.
+        #[serde(rename(serialize = "response_ns"))]
+        pub response: Option<Duration>,
+    }
+
     /// `[dead-time]`: the time from a set value to its effect.
     pub struct DeadTime {
         /// How many cycles of the master it takes.

@@ -73,6 +73,10 @@ table! {
         /// Whether transfers longer than the mailbox are possible.
         #[serde(default)]
         pub segmented: bool,
+        /// Whether a master can set the IP address of the device, with EoE.
+        pub eoe_ip: Option<bool>,
+        /// Whether a master can set the MAC address of the device, with EoE.
+        pub eoe_mac: Option<bool>,
     }
 
     /// `[eeprom]`: the SII EEPROM.

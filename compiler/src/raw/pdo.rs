@@ -33,6 +33,8 @@ raw! {
         pub max_bytes: Option<u16>,
         /// The largest number of entries it can be mapped to, for a free mapping.
         pub max_entries: Option<u8>,
+        /// The sync unit it belongs to: PDOs of different ones are exchanged apart from each other.
+        pub sync_unit: Option<String>,
         /// What it is for.
         pub about: Option<String>,
     }

@@ -61,6 +61,7 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
         areas: sorted(raw.areas, |area| (area.first, area.last)),
         sync_managers,
         mailbox: raw.mailbox,
+        timeouts: raw.timeouts,
         words,
         states: raw.states,
         commands: raw.commands,

@@ -1,5 +1,6 @@
 //! A device, without its dictionary.
 
+use super::clocks::{self, OpMode};
 use super::dictionary::{self, Dictionary};
 use super::node::{
     Node, attribute, bytes, children, content, flag, number, only, optional, optional_number, optional_text,
@@ -17,6 +18,12 @@ pub struct Device {
     pub product_code: u32,
     /// Its revision.
     pub revision: u32,
+    /// The revisions that tools hide.
+    pub hidden: Vec<u32>,
+    /// For how many milliseconds a master waits, by element.
+    pub timeouts: Vec<(String, u32)>,
+    /// Its sync units.
+    pub sync_units: Vec<String>,
     /// Its name.
     pub name: String,
     /// The type of its group.
@@ -39,6 +46,10 @@ pub struct Device {
     pub protocols: Vec<String>,
     /// What it can do with CoE.
     pub coe: Option<CoE>,
+    /// What it can do with EoE: IP and MAC address.
+    pub eoe: (Option<u8>, Option<u8>),
+    /// What a master writes at start-up.
+    pub init_commands: Vec<InitCommand>,
     /// Its ways to keep time.
     pub op_modes: Vec<OpMode>,
     /// Its EEPROM.
@@ -88,6 +99,8 @@ pub struct Pdo {
     pub mandatory: bool,
     /// The sync manager it is assigned to at start-up.
     pub sync_manager: Option<usize>,
+    /// The sync unit it belongs to.
+    pub sync_unit: Option<usize>,
     /// The PDOs it cannot go with.
     pub excludes: Vec<u16>,
     /// What is in it.
@@ -109,6 +122,17 @@ pub struct PdoEntry {
     pub data_type: Option<String>,
 }
 
+/// A write at start-up.
+#[derive(Debug, PartialEq, Eq)]
+pub struct InitCommand {
+    /// The change of state during which it is made.
+    pub transition: String,
+    /// Index and subindex.
+    pub address: (u16, u8),
+    /// What is written.
+    pub data: Vec<u8>,
+}
+
 /// What a device can do with CoE.
 #[derive(Debug)]
 pub struct CoE {
@@ -122,30 +146,6 @@ pub struct CoE {
     pub complete_access: bool,
     /// Whether long transfers are possible.
     pub segmented: bool,
-}
-
-/// A way to keep time.
-#[derive(Debug)]
-pub struct OpMode {
-    /// Its name.
-    pub name: String,
-    /// What people call it.
-    pub description: Option<String>,
-    /// The register that starts the clocks.
-    pub assign_activate: u16,
-    /// The first signal.
-    pub sync0: Option<Signal>,
-    /// The second signal.
-    pub sync1: Option<Signal>,
-}
-
-/// A signal of the clocks.
-#[derive(Debug)]
-pub struct Signal {
-    /// Its period in cycles of the master.
-    pub factor: Option<i32>,
-    /// Its delay in nanoseconds.
-    pub shift: u64,
 }
 
 /// The EEPROM.
@@ -168,6 +168,11 @@ pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
         type_name: content(kind),
         product_code: attribute(kind, "ProductCode")?.ok_or("a type without ProductCode")?,
         revision: attribute(kind, "RevisionNo")?.ok_or("a type without RevisionNo")?,
+        hidden: children(node, "HideType")
+            .map(|it| attribute(it, "RevisionNo")?.ok_or_else(|| "a HideType without RevisionNo".to_owned()))
+            .collect::<Result<_, _>>()?,
+        timeouts: timeouts(node)?,
+        sync_units: children(node, "Su").map(content).collect(),
         name: text(node, "Name")?,
         group: text(node, "GroupType")?,
         profile: (optional_number(profile, "ProfileNo")?, optional_number(profile, "AddInfo")?),
@@ -179,10 +184,19 @@ pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
         tx_pdos: children(node, "TxPdo").map(pdo).collect::<Result<_, _>>()?,
         protocols: mailbox.into_iter().flat_map(|mailbox| mailbox.children()).filter_map(protocol).collect(),
         coe: coe.map(abilities),
+        eoe: match mailbox.map(|mailbox| optional(mailbox, "EoE")).transpose()?.flatten() {
+            Some(eoe) => (attribute(eoe, "IP")?, attribute(eoe, "MAC")?),
+            None => (None, None),
+        },
+        init_commands: coe
+            .into_iter()
+            .flat_map(|coe| children(coe, "InitCmd"))
+            .map(init_command)
+            .collect::<Result<_, _>>()?,
         op_modes: clocks
             .into_iter()
             .flat_map(|clocks| children(clocks, "OpMode"))
-            .map(op_mode)
+            .map(clocks::op_mode)
             .collect::<Result<_, _>>()?,
         eeprom: optional(node, "Eeprom")?.map(eeprom).transpose()?,
     })
@@ -216,6 +230,7 @@ fn pdo(node: Node<'_, '_>) -> Result<Pdo, String> {
         fixed: flag(node, "Fixed"),
         mandatory: flag(node, "Mandatory"),
         sync_manager: attribute(node, "Sm")?,
+        sync_unit: attribute(node, "Su")?,
         excludes: children(node, "Exclude").map(super::node::value).collect::<Result<_, _>>()?,
         entries: children(node, "Entry").map(entry).collect::<Result<_, _>>()?,
     })
@@ -235,6 +250,22 @@ fn protocol(node: Node<'_, '_>) -> Option<String> {
     node.is_element().then(|| node.tag_name().name().to_owned())
 }
 
+fn init_command(node: Node<'_, '_>) -> Result<InitCommand, String> {
+    Ok(InitCommand {
+        transition: text(node, "Transition")?,
+        address: (number(node, "Index")?, number(node, "SubIndex")?),
+        data: bytes(only(node, "Data")?)?,
+    })
+}
+
+/// All numbers that stand in a `Timeout` of `Info`.
+fn timeouts(node: Node<'_, '_>) -> Result<Vec<(String, u32)>, String> {
+    let Some(info) = optional(node, "Info")? else { return Ok(Vec::new()) };
+    let timeouts = info.descendants().filter(|it| it.has_tag_name("Timeout"));
+    let times = timeouts.flat_map(|timeout| timeout.children().filter(Node::is_element));
+    times.map(|time| Ok((time.tag_name().name().to_owned(), super::node::value(time)?))).collect()
+}
+
 fn abilities(node: Node<'_, '_>) -> CoE {
     CoE {
         sdo_info: flag(node, "SdoInfo"),
@@ -243,22 +274,6 @@ fn abilities(node: Node<'_, '_>) -> CoE {
         complete_access: flag(node, "CompleteAccess"),
         segmented: flag(node, "SegmentedSdo"),
     }
-}
-
-fn op_mode(node: Node<'_, '_>) -> Result<OpMode, String> {
-    Ok(OpMode {
-        name: text(node, "Name")?,
-        description: optional_text(node, "Desc")?,
-        assign_activate: number(node, "AssignActivate")?,
-        sync0: signal(node, "CycleTimeSync0", "ShiftTimeSync0")?,
-        sync1: signal(node, "CycleTimeSync1", "ShiftTimeSync1")?,
-    })
-}
-
-fn signal(node: Node<'_, '_>, cycle: &str, shift: &str) -> Result<Option<Signal>, String> {
-    let Some(cycle) = optional(node, cycle)? else { return Ok(None) };
-    let shift = optional_number(node, shift)?.unwrap_or_default();
-    Ok(Some(Signal { factor: attribute(cycle, "Factor")?, shift }))
 }
 
 fn eeprom(node: Node<'_, '_>) -> Result<Eeprom, String> {

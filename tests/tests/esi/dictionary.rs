@@ -98,6 +98,7 @@ fn flags(entry: &Entry, category: Category) -> Flags {
         }),
         category: Some(category.to_owned()),
         pdo_mapping: pdo_mapping.map(str::to_owned),
+        kept: (entry.backup.then_some(1), entry.setting.then_some(1)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::literal::{Hex, prose};
-use super::{dc, eeprom, mailbox, pdo, profile, sync_managers};
+use super::{dc, eeprom, mailbox, pdo, profile, sync_managers, timeouts};
 use crate::model::{Device, Direction};
 
 /// A device.
@@ -10,11 +10,14 @@ pub(super) fn device(device: &Device) -> Element {
     Element::new("Device")
         .with("Physics", &device.physics)
         .child(type_and_identity(device))
+        .children(device.identity.replaces.iter().map(hidden))
         .child(Element::worded("Name", name(device)))
+        .child(timeouts::info(device))
         .child(Element::leaf("GroupType", &device.group))
         .child(profile::profile(device))
         .children(sync_managers::fmmus(device))
         .children(device.sync_managers.iter().map(sync_managers::sync_manager))
+        .children(device.sync_units().into_iter().map(|unit| Element::leaf("Su", unit)))
         .children(pdo::in_order(device, Direction::Rx))
         .children(pdo::in_order(device, Direction::Tx))
         .child(mailbox::mailbox(device))
@@ -26,6 +29,11 @@ fn type_and_identity(device: &Device) -> Element {
     Element::leaf("Type", &device.type_name)
         .with("ProductCode", Hex(device.identity.product_code))
         .with("RevisionNo", Hex(device.identity.revision))
+}
+
+/// A revision that tools no longer offer.
+fn hidden(revision: &u32) -> Element {
+    Element::new("HideType").with("RevisionNo", Hex(*revision))
 }
 
 /// What a person picks from a list: the name to order by, and behind a colon what that is.

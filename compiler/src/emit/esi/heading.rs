@@ -11,12 +11,22 @@ use crate::model::{Assumption, Device, Family, Section};
 /// but for what only a reference says.
 const IN_FILE: &[(Section, &[&str])] = &[
     (Section::Device, &["name", "vendor", "group", "type-name", "profile", "physics", "title"]),
-    (Section::Identity, &["vendor-id", "product-code", "revision", "serial"]),
+    (Section::Identity, &["vendor-id", "product-code", "revision", "serial", "replaces"]),
     (Section::Axes, &["names", "add-info"]),
     (
         Section::Mailbox,
-        &["protocols", "sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"],
+        &[
+            "protocols",
+            "sdo-info",
+            "pdo-assign",
+            "pdo-config",
+            "complete-access",
+            "segmented",
+            "eoe-ip",
+            "eoe-mac",
+        ],
     ),
+    (Section::Timeouts, &["pre-op", "safe-op-op", "back-to-init", "back-to-safe-op", "request", "response"]),
     (
         Section::SyncManagers,
         &[
@@ -25,13 +35,13 @@ const IN_FILE: &[(Section, &[&str])] = &[
         ],
     ),
     (Section::SyncModes, &["name", "assign-activate", "sync0", "sync1", "default"]),
-    (Section::RxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
-    (Section::TxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
+    (Section::RxPdos, &["name", "entries", "fixed", "mandatory", "excludes", "sync-unit"]),
+    (Section::TxPdos, &["name", "entries", "fixed", "mandatory", "excludes", "sync-unit"]),
     (
         Section::Objects,
         &[
             "name", "type", "access", "pdo", "category", "default", "min", "max", "values", "written",
-            "entries", "about",
+            "entries", "about", "backup", "setting",
         ],
     ),
 ];
@@ -40,6 +50,11 @@ const IN_FILE: &[(Section, &[&str])] = &[
 fn is_in_file(assumption: &Assumption, device: &Device) -> bool {
     if assumption.at.section == Section::Eeprom {
         return !device.eeprom.config_data.0.is_empty();
+    }
+    if assumption.at.section == Section::Configurations {
+        let default = device.configurations.iter().find(|configuration| configuration.default);
+        return default
+            .is_some_and(|default| assumption.at.key == Section::Configurations.at(&default.id).key);
     }
     let keys = IN_FILE.iter().find(|(section, _)| *section == assumption.at.section).map(|(_, keys)| keys);
     let first = assumption.at.path.as_deref().and_then(|path| path.split('.').next());

@@ -21,6 +21,7 @@ mod pdo;
 mod primitive;
 mod profile;
 mod sync_managers;
+mod timeouts;
 mod types;
 mod vendor;
 

@@ -25,10 +25,17 @@ fn pdo(device: &Device, pdo: &Pdo) -> Element {
         .with_some("Fixed", pdo.fixed.then_some("1"))
         .with_some("Mandatory", pdo.mandatory.then_some("1"))
         .with_some("Sm", assigned_to(device, pdo).map(|manager| manager.number))
+        .with_some("Su", sync_unit(device, pdo))
         .child(Element::leaf("Index", Hex(pdo.index.0)))
         .child(Element::worded("Name", names::on_axis(device, &pdo.name, pdo.axis)))
         .children(excludes(device, pdo).into_iter().map(|other| Element::leaf("Exclude", Hex(other.0))))
         .children(pdo.entries.iter().map(|mapped| entry(device, pdo, mapped)))
+}
+
+/// The place of its sync unit among the `Su` elements.
+fn sync_unit(device: &Device, pdo: &Pdo) -> Option<usize> {
+    let unit = pdo.sync_unit.as_deref()?;
+    device.sync_units().iter().position(|known| *known == unit)
 }
 
 fn assigned_to<'a>(device: &'a Device, pdo: &Pdo) -> Option<&'a SyncManager> {

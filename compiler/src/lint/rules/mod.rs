@@ -10,6 +10,7 @@ mod ambiguous_value_name;
 mod ambiguous_vendor_code;
 mod clashing_identifier;
 mod commanded_automatic_transition;
+mod contradicted_assignment;
 mod contradicted_control;
 mod contradicted_count;
 mod contradicted_default;
@@ -35,6 +36,7 @@ mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
+mod incomplete_timeouts;
 mod indistinct_members;
 mod inverted_limits;
 mod manufacturer_bit;
@@ -63,9 +65,11 @@ mod patternless_state;
 mod placeholder_identity;
 mod renamed_entry;
 mod repeated_alias;
+mod repeated_default;
 mod repeated_error;
 mod repeated_mailbox;
 mod repeated_mapping;
+mod replaced_revision;
 mod reserved_index;
 mod several_edges;
 mod stray_profile_object;
@@ -86,6 +90,7 @@ mod unreachable_area;
 mod unreachable_default;
 mod unreachable_transition;
 mod unrepresentable_value;
+mod unrestorable_value;
 mod unscaled_axis;
 mod unsized_string;
 mod unsourced_fact;
@@ -112,6 +117,7 @@ lints! {
     ambiguous_vendor_code,
     clashing_identifier,
     commanded_automatic_transition,
+    contradicted_assignment,
     contradicted_control,
     contradicted_count,
     contradicted_default,
@@ -137,6 +143,7 @@ lints! {
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
+    incomplete_timeouts,
     indistinct_members,
     inverted_limits,
     manufacturer_bit,
@@ -165,9 +172,11 @@ lints! {
     placeholder_identity,
     renamed_entry,
     repeated_alias,
+    repeated_default,
     repeated_error,
     repeated_mailbox,
     repeated_mapping,
+    replaced_revision,
     reserved_index,
     several_edges,
     stray_profile_object,
@@ -188,6 +197,7 @@ lints! {
     unreachable_default,
     unreachable_transition,
     unrepresentable_value,
+    unrestorable_value,
     unscaled_axis,
     unsized_string,
     unsourced_fact,

@@ -138,6 +138,7 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         excludes: _,
         about: _,
         source: _,
+        sync_unit,
         origin: _,
     } = pdo;
     let assigned = context.device.sync_managers.iter().any(|manager| manager.pdos.contains(index));
@@ -150,6 +151,7 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         max_bytes.map(|most| format!("can be mapped up to {}", bytes(most.into()))),
         max_entries.map(|most| format!("up to {most} entries")),
         mode.map(|mode| format!("for mode {}", context.mode(mode))),
+        sync_unit.as_deref().map(|unit| format!("sync unit {}", text(unit))),
         claimed.map(|total| format!("the manual gives {}", bytes(total.into()))),
     ];
     facts.into_iter().flatten().collect()
