@@ -91,7 +91,7 @@ macro_rules! value {
 }
 value! {
     bool u8 i8 u16 i16 u32 i32 u64 i64 f64 String
-    super::Said super::Place super::Index super::Address super::DataType super::Pattern super::Value super::Duration
+    super::Said super::Place super::Index super::Address super::DataType super::Pattern super::Value super::Duration super::Delay
     super::Hex super::Scale super::Source
 }
 

@@ -1,7 +1,7 @@
 //! Single values that TOML has no type of its own for.
 
 use serde::Deserialize;
-use serde::de::{self, Deserializer, SeqAccess, Visitor};
+use serde::de::{self, Deserializer, IntoDeserializer, SeqAccess, Visitor};
 
 /// A value of an object, in the type that TOML gave it.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,6 +128,20 @@ impl<'de> Deserialize<'de> for Duration {
     }
 }
 
+/// A time in nanoseconds that may lie before what it is counted from: `"-20 us"`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct Delay(pub i64);
+
+impl<'de> Deserialize<'de> for Delay {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let (sign, digits) = text.strip_prefix('-').map_or((1, text.as_str()), |digits| (-1, digits));
+        let time: Duration = Duration::deserialize(digits.into_deserializer())?;
+        i64::try_from(time.0).map(|time| Self(sign * time)).map_err(|_| de::Error::custom("too long"))
+    }
+}
+
 /// Bytes in hexadecimal: `"050E 03EE"`.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
@@ -184,6 +198,12 @@ impl<'de> Deserialize<'de> for OneOrMore {
 }
 
 impl std::fmt::Display for Duration {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} ns", self.0)
+    }
+}
+
+impl std::fmt::Display for Delay {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} ns", self.0)
     }

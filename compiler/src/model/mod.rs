@@ -53,7 +53,7 @@ pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
-pub use literal::{Duration, Fraction, Hex, Literal, OneOrMore};
+pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
 pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
 pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger, WriteWindow};

@@ -130,8 +130,24 @@ impl Protocol {
 }
 
 impl Eeprom {
+    /// Whether the description says anything of it.
+    pub fn is_described(&self) -> bool {
+        ["size", "config-data"].into_iter().any(|key| self.origin.has(key))
+    }
+
     /// The size of the devices of most vendors, in bytes.
     pub const USUAL_SIZE: u32 = 2048;
+
+    /// What its size is counted in: 1 KiBit.
+    pub const UNIT: u32 = 128;
+
+    /// The most that a slave controller reads: 4 MiBit.
+    pub const MOST: u32 = 4 * 1024 * Self::UNIT;
+
+    /// Whether an EEPROM can have its size.
+    pub fn is_possible(&self) -> bool {
+        self.size.is_multiple_of(Self::UNIT) && (Self::UNIT..=Self::MOST).contains(&self.size)
+    }
 }
 
 impl SyncManager {

@@ -10,6 +10,9 @@ use devc::source::Memory;
 const HEAD: &str = "\n[device]\nname = \"Example\"\nvendor = \"Example\"\n";
 const IDENTITY: &str = "\n[identity]\nvendor-id = 0x76D\nproduct-code = 3\nrevision = 1\n";
 
+/// What the slave controller starts with.
+const EEPROM: &str = "\n[eeprom]\nsize = 16384\nconfig-data = \"050E03EE0000\"\n";
+
 /// What carries mail and process data.
 const SYNC_MANAGERS: &str = "
 [sync-managers]
@@ -42,7 +45,7 @@ fn files(example: &str) -> Vec<(String, String)> {
     }
     files.push(file);
     let whole: String = files.iter().map(|(_, text)| text.as_str()).collect();
-    let missing = [("[device]", HEAD), ("[identity]", IDENTITY)];
+    let missing = [("[device]", HEAD), ("[identity]", IDENTITY), ("[eeprom]", EEPROM)];
     let carried = ["[rx-pdos", "[tx-pdos", "[mailbox]"].into_iter().any(|header| whole.contains(header));
     let managers = carried.then_some(("[sync-managers", SYNC_MANAGERS));
     let missing = missing.into_iter().chain(managers).filter(|(header, _)| !whole.contains(header));

@@ -1,6 +1,6 @@
 //! The distributed clocks.
 
-use super::node::{Node, attribute, number, optional, optional_number, optional_text, text};
+use super::node::{Node, attribute, flag, number, optional, optional_text, text};
 
 /// A way to keep time.
 #[derive(Debug)]
@@ -22,8 +22,14 @@ pub struct OpMode {
 pub struct Signal {
     /// Its period in cycles of the master.
     pub factor: Option<i32>,
+    /// Its period in nanoseconds; 0 leaves it to the factor.
+    pub period: u32,
     /// Its delay in nanoseconds.
-    pub shift: u64,
+    pub shift: i32,
+    /// Its delay in cycles of the master.
+    pub shift_factor: Option<i32>,
+    /// Whether it is counted from the inputs.
+    pub input: bool,
 }
 
 pub(super) fn op_mode(node: Node<'_, '_>) -> Result<OpMode, String> {
@@ -38,6 +44,12 @@ pub(super) fn op_mode(node: Node<'_, '_>) -> Result<OpMode, String> {
 
 fn signal(node: Node<'_, '_>, cycle: &str, shift: &str) -> Result<Option<Signal>, String> {
     let Some(cycle) = optional(node, cycle)? else { return Ok(None) };
-    let shift = optional_number(node, shift)?.unwrap_or_default();
-    Ok(Some(Signal { factor: attribute(cycle, "Factor")?, shift }))
+    let shift = optional(node, shift)?;
+    Ok(Some(Signal {
+        factor: attribute(cycle, "Factor")?,
+        period: super::node::value(cycle)?,
+        shift: shift.map(super::node::value).transpose()?.unwrap_or_default(),
+        shift_factor: shift.map(|shift| attribute(shift, "Factor")).transpose()?.flatten(),
+        input: shift.is_some_and(|shift| flag(shift, "Input")),
+    }))
 }

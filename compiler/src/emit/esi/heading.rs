@@ -12,6 +12,7 @@ use crate::model::{Assumption, Device, Family, Section};
 const IN_FILE: &[(Section, &[&str])] = &[
     (Section::Device, &["name", "vendor", "group", "type-name", "profile", "physics", "title"]),
     (Section::Identity, &["vendor-id", "product-code", "revision", "serial", "replaces"]),
+    (Section::Eeprom, &["size", "config-data"]),
     (Section::Axes, &["names", "add-info"]),
     (
         Section::Mailbox,
@@ -46,11 +47,8 @@ const IN_FILE: &[(Section, &[&str])] = &[
     ),
 ];
 
-/// Whether the file says what is assumed. The EEPROM is in it only if its first bytes are known.
+/// Whether the file says what is assumed.
 fn is_in_file(assumption: &Assumption, device: &Device) -> bool {
-    if assumption.at.section == Section::Eeprom {
-        return !device.eeprom.config_data.0.is_empty();
-    }
     if assumption.at.section == Section::Configurations {
         let default = device.configurations.iter().find(|configuration| configuration.default);
         return default
@@ -67,6 +65,8 @@ fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
     let head = head.into_iter().filter(|(key, _)| !device.origin.has(key));
     let head: Vec<_> =
         head.map(|(key, value)| format!("device.{key} = {value}: the description does not say it")).collect();
+    let size = (device.eeprom.is_described() && !device.eeprom.origin.has("size"))
+        .then(|| format!("eeprom.size = {}: usual", device.eeprom.size));
     let control = device.sync_managers.iter().filter(|manager| !manager.origin.has("control"));
     let control = control.map(|manager| {
         let (id, control) = (&manager.id, manager.control);
@@ -89,7 +89,14 @@ fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
     let silent = device.sync_managers.iter().any(|manager| manager.enable && !manager.origin.has("enable"));
     let enable =
         silent.then(|| "Sm Enable = 1: each sync manager that carries something is in use".to_owned());
-    head.into_iter().chain(lines).chain(layer).chain(control).chain(fmmus).chain(enable).chain(fixed)
+    head.into_iter()
+        .chain(size)
+        .chain(lines)
+        .chain(layer)
+        .chain(control)
+        .chain(fmmus)
+        .chain(enable)
+        .chain(fixed)
 }
 
 /// The text of the comment.

@@ -10,7 +10,9 @@ mod ambiguous_value_name;
 mod ambiguous_vendor_code;
 mod clashing_identifier;
 mod commanded_automatic_transition;
+mod contradicted_activation;
 mod contradicted_assignment;
+mod contradicted_config_data;
 mod contradicted_control;
 mod contradicted_count;
 mod contradicted_default;
@@ -19,8 +21,10 @@ mod contradicted_group;
 mod contradicted_identity;
 mod contradicted_modes;
 mod contradicted_notation;
+mod contradicted_period;
 mod contradicted_profile;
 mod contradicted_size;
+mod contradicted_sync_types;
 mod contradicted_total;
 mod contradicted_width;
 mod deviating_access;
@@ -36,6 +40,7 @@ mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
+mod impossible_eeprom_size;
 mod incomplete_timeouts;
 mod indistinct_members;
 mod inverted_limits;
@@ -46,6 +51,7 @@ mod misclassified_error;
 mod misdirected_entry;
 mod misordered_sync_managers;
 mod misplaced_sync_manager;
+mod missing_config_data;
 mod missing_group;
 mod missing_object;
 mod missing_sync_manager;
@@ -75,6 +81,7 @@ mod several_edges;
 mod stray_profile_object;
 mod subindex_gap;
 mod undefined_default;
+mod undersized_eeprom;
 mod undersized_sync_manager;
 mod understated_axes;
 mod unexpected_mode_bit;
@@ -94,6 +101,7 @@ mod unrestorable_value;
 mod unscaled_axis;
 mod unsized_string;
 mod unsourced_fact;
+mod unspoken_ability;
 mod unsupported_configuration_mode;
 mod unsupported_pdo_mode;
 mod unsupported_transition;
@@ -117,7 +125,9 @@ lints! {
     ambiguous_vendor_code,
     clashing_identifier,
     commanded_automatic_transition,
+    contradicted_activation,
     contradicted_assignment,
+    contradicted_config_data,
     contradicted_control,
     contradicted_count,
     contradicted_default,
@@ -126,8 +136,10 @@ lints! {
     contradicted_identity,
     contradicted_modes,
     contradicted_notation,
+    contradicted_period,
     contradicted_profile,
     contradicted_size,
+    contradicted_sync_types,
     contradicted_total,
     contradicted_width,
     deviating_access,
@@ -143,6 +155,7 @@ lints! {
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
+    impossible_eeprom_size,
     incomplete_timeouts,
     indistinct_members,
     inverted_limits,
@@ -153,6 +166,7 @@ lints! {
     misdirected_entry,
     misordered_sync_managers,
     misplaced_sync_manager,
+    missing_config_data,
     missing_group,
     missing_object,
     missing_sync_manager,
@@ -182,6 +196,7 @@ lints! {
     stray_profile_object,
     subindex_gap,
     undefined_default,
+    undersized_eeprom,
     undersized_sync_manager,
     understated_axes,
     unexpected_mode_bit,
@@ -201,6 +216,7 @@ lints! {
     unscaled_axis,
     unsized_string,
     unsourced_fact,
+    unspoken_ability,
     unsupported_configuration_mode,
     unsupported_pdo_mode,
     unsupported_transition,
