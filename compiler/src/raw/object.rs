@@ -84,7 +84,7 @@ pub struct RawEntry {
     /// Its name.
     pub name: Option<String>,
     /// Its data type: `BOOL`, `INT8` to `INT64`, `UINT8` to `UINT64`, `REAL32`, `REAL64`, `BYTE`, `WORD`,
-    /// `DWORD`, `BIT1` to `BIT8`, `STRING` or `STRING(n)`.
+    /// `DWORD`, `BIT1` to `BIT8`, `STRING`, `STRING(n)`, `OCTET_STRING(n)` with n bytes or `UNICODE_STRING(n)` with n units of 16 bits.
     pub r#type: Option<String>,
     /// `"ro"`, `"wo"`, `"rw"` or `"const"`.
     pub access: Option<Access>,

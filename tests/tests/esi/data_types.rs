@@ -67,3 +67,17 @@ fn enumerations_stand_on_types_that_may_have_them() {
         }
     }
 }
+
+/// ETG.1020 has them as arrays of bytes and of units of 16 bits, which have no subindices.
+#[test]
+fn octets_and_wide_text_are_arrays() {
+    let subject = corners();
+    let dictionary = &subject.esi.devices[0].dictionary;
+    let object = |index| dictionary.objects.iter().find(|it| it.index == index).unwrap();
+    let array = |name: &str| (dictionary.types[name].base.as_deref(), dictionary.types[name].array);
+    assert_eq!(object(0x200C).type_name, "ARRAY [0..5] OF BYTE");
+    assert_eq!(array("ARRAY [0..5] OF BYTE"), (Some("BYTE"), Some((0, 6))));
+    assert_eq!(object(0x200D).type_name, "ARRAY [0..3] OF UINT");
+    assert_eq!(array("ARRAY [0..3] OF UINT"), (Some("UINT"), Some((0, 4))));
+    assert_eq!(object(0x200D).info.default, Some(vec![b'a', 0, 0xDF, 0, 0, 0, 0, 0]));
+}

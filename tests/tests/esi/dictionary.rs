@@ -116,6 +116,12 @@ fn spelled(data_type: DataType) -> String {
         ("REAL32", "REAL"),
         ("REAL64", "LREAL"),
     ];
+    // Arrays without subindices: the type of an element.
+    match data_type {
+        DataType::Octets(_) => return "BYTE".to_owned(),
+        DataType::Unicode(_) => return "UINT".to_owned(),
+        _ => {}
+    }
     let written = data_type.to_string();
     table
         .iter()
@@ -127,7 +133,9 @@ fn spelled(data_type: DataType) -> String {
 fn bytes(value: &ModelValue, data_type: DataType) -> Vec<u8> {
     let width = data_type.bits().div_ceil(8) as usize;
     if let ModelValue::Text(text) = value {
-        let mut bytes = text.clone().into_bytes();
+        let wide = matches!(data_type, DataType::Unicode(_));
+        let units = text.encode_utf16().flat_map(u16::to_le_bytes);
+        let mut bytes = if wide { units.collect() } else { text.clone().into_bytes() };
         bytes.resize(width, 0);
         return bytes;
     }

@@ -24,6 +24,21 @@ pub(super) fn name(data_type: DataType) -> String {
         DataType::Bitstring(_) => "DWORD".into(),
         DataType::Bits(bits) => format!("BIT{bits}"),
         DataType::Text(bytes) => format!("STRING({bytes})"),
+        DataType::Octets(bytes) => array(bytes, "BYTE"),
+        DataType::Unicode(units) => array(units, "UINT"),
+    }
+}
+
+fn array(elements: u16, of: &str) -> String {
+    format!("ARRAY [0..{}] OF {of}", elements.saturating_sub(1))
+}
+
+/// The type of the elements of an array, and how many it has.
+pub(super) fn elements(data_type: DataType) -> Option<(DataType, u16)> {
+    match data_type {
+        DataType::Octets(bytes) => Some((DataType::Bitstring(8), bytes)),
+        DataType::Unicode(units) => Some((DataType::Uint(16), units)),
+        _ => None,
     }
 }
 
@@ -52,13 +67,22 @@ pub(super) fn order(data_type: DataType) -> (u8, u32) {
         DataType::Uint(_) => 4,
         DataType::Real32 | DataType::Real64 => 5,
         DataType::Text(_) => 6,
+        DataType::Octets(_) => 7,
+        DataType::Unicode(_) => 8,
     };
     (kind, data_type.bits())
 }
 
 /// The declaration.
 pub(super) fn declaration(data_type: DataType) -> Element {
+    let elements = elements(data_type);
+    let info = elements.map(|(_, count)| {
+        let first = Element::leaf("LBound", 0);
+        Element::new("ArrayInfo").child(first).child(Element::leaf("Elements", count))
+    });
     Element::new("DataType")
         .child(Element::leaf("Name", name(data_type)))
+        .child(elements.map(|(of, _)| Element::leaf("BaseType", name(of))))
         .child(Element::leaf("BitSize", data_type.bits()))
+        .child(info)
 }
