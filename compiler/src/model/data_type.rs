@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::compare::value;
 use super::plain;
 
 plain! {
@@ -33,6 +34,8 @@ plain! {
         Unicode(u16),
     }
 }
+
+value! { DataType }
 
 impl DataType {
     /// The width in bits.

@@ -3,6 +3,8 @@
 use serde::Deserialize;
 use serde::de::{self, Deserializer, IntoDeserializer, SeqAccess, Visitor};
 
+use super::compare::value;
+
 /// A value of an object, in the type that TOML gave it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Literal {
@@ -167,6 +169,8 @@ impl<'de> Deserialize<'de> for Hex {
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct OneOrMore(pub Vec<String>);
 
+value! { Delay Duration Hex OneOrMore }
+
 impl std::ops::Deref for OneOrMore {
     type Target = [String];
 
@@ -194,6 +198,12 @@ impl<'de> Deserialize<'de> for OneOrMore {
             }
         }
         deserializer.deserialize_any(Texts)
+    }
+}
+
+impl std::fmt::Display for OneOrMore {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0.join(", "))
     }
 }
 

@@ -18,7 +18,7 @@ mod numbered;
 mod objects;
 mod overlay;
 mod pdos;
-mod repeated;
+mod restated;
 mod startup;
 mod sync_managers;
 mod units;

@@ -23,6 +23,7 @@ mod contradicted_modes;
 mod contradicted_notation;
 mod contradicted_period;
 mod contradicted_profile;
+mod contradicted_quantity;
 mod contradicted_size;
 mod contradicted_sync_types;
 mod contradicted_total;
@@ -138,6 +139,7 @@ lints! {
     contradicted_notation,
     contradicted_period,
     contradicted_profile,
+    contradicted_quantity,
     contradicted_size,
     contradicted_sync_types,
     contradicted_total,
