@@ -76,7 +76,7 @@ fn the_device_type_consists_of_the_profile_and_its_additional_information() {
             let profile = u32::from(*low) | u32::from(*high) << 8;
             let information = u32::from(*more) | u32::from(*most) << 8;
             // 0 stands for a device without a profile, ETG.1000.6.
-            let stated = (profile != 0).then_some((Some(profile), Some(information))).unwrap_or_default();
+            let stated = if profile == 0 { (None, None) } else { (Some(profile), Some(information)) };
             assert_eq!(read.profile, stated, "{}", model.name);
         }
     }
