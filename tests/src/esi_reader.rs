@@ -3,11 +3,13 @@
 //! It is strict. What the schema lets be absent is an `Option` or an empty list; all else is an error that names
 //! the line.
 
+mod clocks;
 mod device;
 mod dictionary;
 mod node;
 
-pub use device::{CoE, Device, Eeprom, Fmmu, OpMode, Pdo, PdoEntry, Signal, SyncManager};
+pub use clocks::{OpMode, Signal};
+pub use device::{CoE, Device, Eeprom, Fmmu, InitCommand, Pdo, PdoEntry, SyncManager};
 pub use dictionary::{DataType, Dictionary, Flags, Info, Object, SubItem, Value};
 
 use node::{Node, children, number, only, text};

@@ -95,6 +95,7 @@ fn device(path: &[&str]) -> Option<&'static Kind> {
             | "parameters"
             | "coordinates"
             | "registers"
+            | "timeouts"
             | "telegrams"
             | "limits"
             | "master_settings"

@@ -21,6 +21,8 @@ model! {
         pub shifts: Vec<Shift>,
         /// The distance between the PDOs of two axes.
         pub pdo_shift: u16,
+        /// What each axis is, as the upper half of 0x1000 says it of a device with one axis.
+        pub add_info: Option<u16>,
         /// How the axes depend on each other.
         pub coupling: Option<String>,
         /// Where these facts are from.

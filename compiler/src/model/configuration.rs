@@ -10,6 +10,8 @@ model! {
         pub id: String,
         /// What it is good for.
         pub name: String,
+        /// Whether a master takes it if nothing else is chosen.
+        pub default: bool,
         /// The PDOs to assign to the outputs, by index; untouched if none.
         pub outputs: Option<Vec<Index>>,
         /// The PDOs to assign to the inputs, by index; untouched if none.

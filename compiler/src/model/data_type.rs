@@ -28,6 +28,10 @@ plain! {
         Bits(u8),
         /// Text of so many bytes.
         Text(u16),
+        /// So many bytes without a meaning of their own.
+        Octets(u16),
+        /// Text of so many units of 16 bits.
+        Unicode(u16),
     }
 }
 
@@ -41,7 +45,8 @@ impl DataType {
             Self::Int(bits) | Self::Uint(bits) | Self::Bitstring(bits) | Self::Bits(bits) => bits.into(),
             Self::Real32 => 32,
             Self::Real64 => 64,
-            Self::Text(bytes) => u32::from(bytes) * 8,
+            Self::Text(bytes) | Self::Octets(bytes) => u32::from(bytes) * 8,
+            Self::Unicode(units) => u32::from(units) * 16,
         }
     }
 
@@ -56,7 +61,7 @@ impl DataType {
             Self::Bool => Some((0, 1)),
             Self::Int(bits) => Some((-(1_i128 << (bits - 1)), (1_i128 << (bits - 1)) - 1)),
             Self::Uint(bits) | Self::Bitstring(bits) | Self::Bits(bits) => Some((0, (1_i128 << bits) - 1)),
-            Self::Real32 | Self::Real64 | Self::Text(_) => None,
+            Self::Real32 | Self::Real64 | Self::Text(_) | Self::Octets(_) | Self::Unicode(_) => None,
         }
     }
 }
@@ -74,6 +79,8 @@ impl fmt::Display for DataType {
             Self::Bitstring(_) => f.write_str("DWORD"),
             Self::Bits(bits) => write!(f, "BIT{bits}"),
             Self::Text(bytes) => write!(f, "STRING({bytes})"),
+            Self::Octets(bytes) => write!(f, "OCTET_STRING({bytes})"),
+            Self::Unicode(units) => write!(f, "UNICODE_STRING({units})"),
         }
     }
 }
@@ -101,9 +108,8 @@ impl FromStr for DataType {
             "DWORD" => Ok(Self::Bitstring(32)),
             "STRING" => Ok(Self::Text(0)),
             _ => {
-                let length = text.strip_prefix("STRING(").and_then(|rest| rest.strip_suffix(')'));
-                if let Some(bytes) = length.and_then(|length| length.parse().ok()) {
-                    return Ok(Self::Text(bytes));
+                if let Some(sized) = sized(text) {
+                    return Ok(sized);
                 }
                 let int = number("INT").filter(|bits| whole(*bits)).map(Self::Int);
                 let uint = number("UINT").filter(|bits| whole(*bits)).map(Self::Uint);
@@ -111,5 +117,99 @@ impl FromStr for DataType {
                 int.or(uint).or(bits).ok_or(())
             }
         }
+    }
+}
+
+/// A type of a length: `STRING(8)`.
+fn sized(text: &str) -> Option<DataType> {
+    let (name, length) = text.strip_suffix(')')?.split_once('(')?;
+    let length = length.parse::<u16>().ok()?;
+    match name {
+        "STRING" => Some(DataType::Text(length)),
+        "OCTET_STRING" if length > 0 => Some(DataType::Octets(length)),
+        "UNICODE_STRING" if (1..=0x7FFF).contains(&length) => Some(DataType::Unicode(length)),
+        _ => None,
+    }
+}
+
+impl DataType {
+    /// The type that ESI, IEC 61131-3 or CiA 301 call so, where a description calls it otherwise.
+    pub(crate) fn named_elsewhere(text: &str) -> Option<Self> {
+        let text = text.trim().to_ascii_uppercase();
+        let bits = |prefix: &str| text.strip_prefix(prefix).and_then(|bits| bits.parse::<u8>().ok());
+        let whole = |bits: &u8| (8..=64).contains(bits) && bits.is_multiple_of(8);
+        let plain = match text.as_str() {
+            "BOOLEAN" | "BIT" => Some(Self::Bool),
+            "SINT" => Some(Self::Int(8)),
+            "INT" => Some(Self::Int(16)),
+            "DINT" => Some(Self::Int(32)),
+            "LINT" => Some(Self::Int(64)),
+            "USINT" => Some(Self::Uint(8)),
+            "UINT" => Some(Self::Uint(16)),
+            "UDINT" => Some(Self::Uint(32)),
+            "ULINT" => Some(Self::Uint(64)),
+            "REAL" => Some(Self::Real32),
+            "LREAL" => Some(Self::Real64),
+            "BITARR8" => Some(Self::Bitstring(8)),
+            "BITARR16" => Some(Self::Bitstring(16)),
+            "BITARR32" => Some(Self::Bitstring(32)),
+            _ => None,
+        };
+        plain
+            .or_else(|| bits("INTEGER").filter(whole).map(Self::Int))
+            .or_else(|| bits("UNSIGNED").filter(whole).map(Self::Uint))
+            .or_else(|| sized(text.strip_prefix("VISIBLE_")?))
+            .or_else(|| array(&text))
+            .or_else(|| text.parse().ok())
+    }
+}
+
+/// Bytes or units of text as ESI has them: `ARRAY [0..7] OF BYTE`.
+fn array(text: &str) -> Option<DataType> {
+    let (bounds, of) = text.strip_prefix("ARRAY")?.trim().strip_prefix('[')?.split_once(']')?;
+    let last: u16 = bounds.split_once("..")?.1.trim().parse().ok()?;
+    let length = last.checked_add(1)?;
+    match of.trim().strip_prefix("OF")?.trim() {
+        "BYTE" | "USINT" => Some(DataType::Octets(length)),
+        "UINT" | "WORD" => Some(DataType::Unicode(length)).filter(|_| length <= 0x7FFF),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DataType;
+
+    /// Names of ETG.1020 and IEC 61131-3 with what a description writes.
+    #[test]
+    fn names_of_other_places_are_known() {
+        let pairs = [
+            ("DINT", "INT32"),
+            ("ULINT", "UINT64"),
+            ("INTEGER24", "INT24"),
+            ("Unsigned8", "UINT8"),
+            ("BOOLEAN", "BOOL"),
+            ("LREAL", "REAL64"),
+            ("BITARR16", "WORD"),
+            ("VISIBLE_STRING(20)", "STRING(20)"),
+            ("ARRAY [0..7] OF BYTE", "OCTET_STRING(8)"),
+            ("int16", "INT16"),
+        ];
+        for (elsewhere, here) in pairs {
+            let found = DataType::named_elsewhere(elsewhere).map(|it| it.to_string());
+            assert_eq!(found.as_deref(), Some(here), "{elsewhere}");
+        }
+        for nothing in ["", "INTEGER7", "ARRAY [0..7] OF INT", "STRING(-1)", "ARRAY [0..65535] OF BYTE"] {
+            assert_eq!(DataType::named_elsewhere(nothing), None, "{nothing}");
+        }
+    }
+
+    #[test]
+    fn types_are_read_as_they_are_written() {
+        for text in ["OCTET_STRING(8)", "UNICODE_STRING(20)", "STRING(3)", "BIT5", "DWORD", "UINT56"] {
+            assert_eq!(text.parse::<DataType>().unwrap().to_string(), text);
+        }
+        let bits = |text: &str| text.parse::<DataType>().unwrap().bits();
+        assert_eq!((bits("OCTET_STRING(8)"), bits("UNICODE_STRING(8)")), (64, 128));
     }
 }

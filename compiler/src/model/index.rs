@@ -31,7 +31,7 @@ impl From<u16> for Index {
 impl Index {
     /// Whether an object of this index follows from the PDOs and the sync managers.
     pub fn is_derived(self) -> bool {
-        matches!(self.0, 0x1600..=0x17FF | 0x1A00..=0x1C00 | 0x1C10..=0x1C13)
+        matches!(self.0, 0x1600..=0x17FF | 0x1A00..=0x1C00 | 0x1C10..=0x1C1F)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Single values that TOML has no type of its own for.
 
 use serde::Deserialize;
-use serde::de::{self, Deserializer, SeqAccess, Visitor};
+use serde::de::{self, Deserializer, IntoDeserializer, SeqAccess, Visitor};
 
 use super::compare::value;
 
@@ -130,6 +130,20 @@ impl<'de> Deserialize<'de> for Duration {
     }
 }
 
+/// A time in nanoseconds that may lie before what it is counted from: `"-20 us"`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct Delay(pub i64);
+
+impl<'de> Deserialize<'de> for Delay {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let (sign, digits) = text.strip_prefix('-').map_or((1, text.as_str()), |digits| (-1, digits));
+        let time: Duration = Duration::deserialize(digits.into_deserializer())?;
+        i64::try_from(time.0).map(|time| Self(sign * time)).map_err(|_| de::Error::custom("too long"))
+    }
+}
+
 /// Bytes in hexadecimal: `"050E 03EE"`.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
@@ -155,7 +169,7 @@ impl<'de> Deserialize<'de> for Hex {
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct OneOrMore(pub Vec<String>);
 
-value! { Duration Hex OneOrMore }
+value! { Delay Duration Hex OneOrMore }
 
 impl std::ops::Deref for OneOrMore {
     type Target = [String];
@@ -194,6 +208,12 @@ impl std::fmt::Display for OneOrMore {
 }
 
 impl std::fmt::Display for Duration {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} ns", self.0)
+    }
+}
+
+impl std::fmt::Display for Delay {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} ns", self.0)
     }

@@ -24,9 +24,35 @@ impl Device {
         self.pdos.iter().filter(move |pdo| pdo.direction == direction)
     }
 
-    /// The sync manager of a role.
+    /// The first sync manager of a role.
     pub fn sync_manager(&self, role: Role) -> Option<&SyncManager> {
-        self.sync_managers.iter().find(|manager| manager.role == role)
+        self.sync_managers_of(role).next()
+    }
+
+    /// The sync managers of a role, by number.
+    pub fn sync_managers_of(&self, role: Role) -> impl Iterator<Item = &SyncManager> {
+        self.sync_managers.iter().filter(move |manager| manager.role == role)
+    }
+
+    /// The PDOs that the sync managers of a role carry by default, in the order of the process image.
+    pub fn assigned(&self, role: Role) -> impl Iterator<Item = &Pdo> {
+        self.sync_managers_of(role).flat_map(|manager| self.assigned_to(manager))
+    }
+
+    /// The PDOs that a sync manager carries by default, in order.
+    pub fn assigned_to<'d>(&'d self, manager: &'d SyncManager) -> impl Iterator<Item = &'d Pdo> {
+        manager.pdos.iter().filter_map(|index| self.pdo(*index))
+    }
+
+    /// The sync units that PDOs name, each once.
+    pub fn sync_units(&self) -> Vec<&str> {
+        let mut units: Vec<&str> = Vec::new();
+        for unit in self.pdos.iter().filter_map(|pdo| pdo.sync_unit.as_deref()) {
+            if !units.contains(&unit) {
+                units.push(unit);
+            }
+        }
+        units
     }
 
     /// The word of this id.
@@ -39,10 +65,13 @@ impl Device {
         self.units.iter().find(|unit| unit.id == id)
     }
 
-    /// The bytes of the process image that a sync manager carries by default.
+    /// The bytes of the process image that the sync managers of a role carry by default.
     pub fn image_bytes(&self, role: Role) -> u32 {
-        let assigned = self.sync_manager(role).map_or(&[][..], |manager| &manager.pdos);
-        let bits: u32 = assigned.iter().filter_map(|index| self.pdo(*index)).map(Pdo::bits).sum();
-        bits.div_ceil(8)
+        self.sync_managers_of(role).map(|manager| self.carried_bytes(manager)).sum()
+    }
+
+    /// The bytes that a sync manager carries by default.
+    pub fn carried_bytes(&self, manager: &SyncManager) -> u32 {
+        self.assigned_to(manager).map(Pdo::bits).sum::<u32>().div_ceil(8)
     }
 }

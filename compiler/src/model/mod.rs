@@ -58,7 +58,7 @@ pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
-pub use literal::{Duration, Fraction, Hex, Literal, OneOrMore};
+pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
 pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
 pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger, WriteWindow};
@@ -79,7 +79,7 @@ pub use state::{
 };
 pub use symbol::{Dimension, SYMBOLS, Symbol, dimensions};
 pub use table::Table;
-pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
+pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal, Timeouts};
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
 pub use value::Value;
@@ -172,6 +172,8 @@ model! {
         pub sync_managers: Vec<SyncManager>,
         /// The mailbox.
         pub mailbox: Option<Mailbox>,
+        /// How long a master waits, if that is said.
+        pub timeouts: Option<Timeouts>,
         /// The words made of bits.
         pub words: Vec<Word>,
         /// The states of a drive, in the order of the standard.
@@ -257,6 +259,9 @@ table! {
         /// The serial number of a device that has none of its own; 0 if absent.
         #[serde(default)]
         pub serial: u32,
+        /// The revisions that it takes the place of, so that tools no longer offer them.
+        #[serde(default)]
+        pub replaces: Vec<u32>,
     }
 
     /// `[family]`: what the members of a family have in common.

@@ -68,6 +68,10 @@ model! {
         pub values: Meanings,
         /// The EtherCAT states in which it may be written; any in which there is a mailbox if none.
         pub written: Option<WriteWindow>,
+        /// Whether a tool saves it, to write it to a device that takes this one's place.
+        pub backup: bool,
+        /// Whether it is one of the settings of an application.
+        pub setting: bool,
         /// What it is for.
         pub about: Option<String>,
         /// What else is to be said of it here.

@@ -32,6 +32,8 @@ model! {
         pub max_bytes: Option<u16>,
         /// The largest number of entries it can be mapped to.
         pub max_entries: Option<u8>,
+        /// The sync unit it belongs to.
+        pub sync_unit: Option<String>,
         /// What it is for.
         pub about: Option<String>,
         /// Where its facts are from.

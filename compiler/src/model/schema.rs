@@ -6,7 +6,7 @@ use schemars::generate::Contract;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::json;
 
-use super::{Duration, Fraction, Hex, Literal, OneOrMore, Place, Said};
+use super::{Delay, Duration, Fraction, Hex, Literal, OneOrMore, Place, Said};
 
 /// Lets a text stand for the table, none of whose keys is needed in itself.
 pub(crate) fn or_text(schema: &mut Schema) {
@@ -48,6 +48,7 @@ written! {
     Said as "said": { "type": ["boolean", "number", "string", "array", "object"] };
     Fraction as "fraction": { "type": ["integer", "string"], "pattern": "^ *[0-9]+ */ *[0-9]+ *$" };
     Duration as "time": { "type": "string", "pattern": "^[0-9]+ *(ns|us|µs|ms|s)$" } in the model u64;
+    Delay as "delay": { "type": "string", "pattern": "^-?[0-9]+ *(ns|us|µs|ms|s)$" } in the model i64;
     Hex as "bytes": { "type": "string", "pattern": "^\\s*([0-9A-Fa-f]\\s*[0-9A-Fa-f]\\s*)*$" } in the model Vec<u8>;
     OneOrMore as "list": { "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] }
         in the model Vec<String>;

@@ -22,6 +22,7 @@ macro_rules! for_each_section {
             TxPdos tx_pdos "tx-pdos" Indices RawPdo,
             SyncManagers sync_managers "sync-managers" Words RawSyncManager,
             Mailbox mailbox "mailbox" Single Mailbox,
+            Timeouts timeouts "timeouts" Single Timeouts,
             Configurations configurations "configurations" Words RawConfiguration,
             Words words "words" Words RawWord,
             States states "states" Words State,

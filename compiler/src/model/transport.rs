@@ -6,17 +6,27 @@ use crate::source::Origin;
 
 model! {
     /// A memory area of the EtherCAT slave controller.
-    pub struct SyncManager by role {
-        /// What it is for; its number follows.
+    pub struct SyncManager by id {
+        /// The word for it.
+        pub id: String,
+        /// Its number: its place among the sync managers.
+        pub number: u8,
+        /// What it is for.
         pub role: Role,
         /// The first byte of the area.
         pub address: u16,
+        /// The shortest the area can get, in bytes.
+        pub min_size: Option<u16>,
         /// The bytes of a mailbox, or of the default process image.
         pub size: u16,
         /// The longest the area can get, in bytes.
         pub max_size: Option<u16>,
         /// The control byte.
         pub control: u8,
+        /// Whether it is on.
+        pub enable: bool,
+        /// Whether it is on in Operational only.
+        pub op_only: bool,
         /// The PDOs assigned at start-up, by index.
         pub pdos: Vec<Index>,
         /// How many PDOs can be assigned at once.
@@ -63,6 +73,10 @@ table! {
         /// Whether transfers longer than the mailbox are possible.
         #[serde(default)]
         pub segmented: bool,
+        /// Whether a master can set the IP address of the device, with EoE.
+        pub eoe_ip: Option<bool>,
+        /// Whether a master can set the MAC address of the device, with EoE.
+        pub eoe_mac: Option<bool>,
     }
 
     /// `[eeprom]`: the SII EEPROM.
@@ -116,20 +130,83 @@ impl Protocol {
 }
 
 impl Eeprom {
+    /// Whether the description says anything of it.
+    pub fn is_described(&self) -> bool {
+        ["size", "config-data"].into_iter().any(|key| self.origin.has(key))
+    }
+
     /// The size of the devices of most vendors, in bytes.
     pub const USUAL_SIZE: u32 = 2048;
+
+    /// What its size is counted in: 1 KiBit.
+    pub const UNIT: u32 = 128;
+
+    /// The most that a slave controller reads: 4 MiBit.
+    pub const MOST: u32 = 4 * 1024 * Self::UNIT;
+
+    /// Whether an EEPROM can have its size.
+    pub fn is_possible(&self) -> bool {
+        self.size.is_multiple_of(Self::UNIT) && (Self::UNIT..=Self::MOST).contains(&self.size)
+    }
+}
+
+impl SyncManager {
+    /// The longest that one buffer of it can get, in bytes.
+    pub fn longest(&self) -> u32 {
+        self.max_size.unwrap_or(self.size).max(self.size).into()
+    }
+
+    /// How many buffers the control byte asks for: bits 0 and 1 are 0 for three, 2 for one.
+    pub fn buffers(&self) -> u32 {
+        if self.control & 0b11 == 0 { 3 } else { 1 }
+    }
+
+    /// The first byte behind all buffers at their longest.
+    pub fn end(&self) -> u32 {
+        u32::from(self.address) + self.buffers() * self.longest()
+    }
+
+    /// The object that names the PDOs that it carries, ETG.1000.6.
+    pub fn assignment(&self) -> Index {
+        Index(0x1C10_u16.saturating_add(self.number.into()))
+    }
 }
 
 impl Role {
-    /// All of them, by number.
+    /// All of them, in their usual order.
     pub const ALL: [Self; 4] = [Self::MailboxOut, Self::MailboxIn, Self::Outputs, Self::Inputs];
 
-    /// The number of the sync manager.
-    pub fn number(self) -> u8 {
-        self as u8
+    /// The control byte that ETG.1000.4 gives a sync manager of this role.
+    pub fn usual_control(self) -> u8 {
+        match self {
+            Self::MailboxOut => 0x26,
+            Self::MailboxIn => 0x22,
+            Self::Outputs => 0x64,
+            Self::Inputs => 0x20,
+        }
     }
 
-    /// The key in `[sync-managers]`.
+    /// The number of its kind in 0x1C00, as ETG.1000.6 has it.
+    pub fn kind(self) -> u8 {
+        match self {
+            Self::MailboxOut => 1,
+            Self::MailboxIn => 2,
+            Self::Outputs => 3,
+            Self::Inputs => 4,
+        }
+    }
+
+    /// Whether it carries process data, not mail.
+    pub fn is_process_data(self) -> bool {
+        matches!(self, Self::Outputs | Self::Inputs)
+    }
+
+    /// Whether the master writes what it carries.
+    pub fn is_written(self) -> bool {
+        matches!(self, Self::MailboxOut | Self::Outputs)
+    }
+
+    /// The word for it, and the key in `[sync-managers]` of a sync manager that is the only one of its role.
     pub fn key(self) -> &'static str {
         match self {
             Self::MailboxOut => "mailbox-out",

@@ -36,6 +36,9 @@ impl Value {
             Self::Unsigned(value) => value.to_le_bytes().to_vec(),
             Self::Real(value) if data_type == DataType::Real32 => (*value as f32).to_le_bytes().to_vec(),
             Self::Real(value) => value.to_le_bytes().to_vec(),
+            Self::Text(text) if matches!(data_type, DataType::Unicode(_)) => {
+                text.encode_utf16().flat_map(u16::to_le_bytes).collect()
+            }
             Self::Text(text) => text.as_bytes().to_vec(),
         };
         bytes.resize(usize::try_from(data_type.bytes()).unwrap_or(0), 0);

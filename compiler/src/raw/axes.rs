@@ -19,6 +19,9 @@ raw! {
         pub shifts: Vec<RawShift>,
         /// How far apart the PDOs of the axes are.
         pub pdo_shift: Option<u16>,
+        /// What each axis is, as the upper half of the device type 0x1000 says it of a device with one axis: 1 a
+        /// frequency converter, 2 a servo drive, 4 a stepper motor (CiA 402).
+        pub add_info: Option<u16>,
         /// How the axes depend on each other.
         pub coupling: Option<String>,
     }

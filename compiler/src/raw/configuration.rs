@@ -10,6 +10,9 @@ raw! {
     pub struct RawConfiguration {
         /// What it is good for.
         pub name: String,
+        /// Whether a master takes it if nothing else is chosen: the ESI has its start-up list.
+        #[serde(default)]
+        pub default: bool,
         /// The PDOs to assign to the outputs; untouched if absent. That of the first axis stands for all axes.
         pub outputs: Option<Vec<String>>,
         /// The PDOs to assign to the inputs; untouched if absent. That of the first axis stands for all axes.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::compose::{self, wrong_type};
 use super::extent::Room;
 use super::read::Sections;
-use super::{RawDevice, errata, like};
+use super::{RawDevice, errata, like, misplaced};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::source::{Document, Key, Node, Sources, Table};
 
@@ -22,6 +22,11 @@ pub struct Reading {
 ///
 /// Every bad table is reported, not only the first.
 pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut Diagnostics) -> Vec<Reading> {
+    let misplaced = misplaced::misplaced(&document.root);
+    if !misplaced.is_empty() {
+        diagnostics.extend(misplaced);
+        return Vec::new();
+    }
     let trees = members(document, id, diagnostics);
     let (mut nowhere, mut room) = (Vec::new(), Room::new());
     let devices: Vec<Reading> = trees

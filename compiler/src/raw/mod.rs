@@ -18,6 +18,7 @@ mod head;
 mod like;
 mod lints;
 mod member;
+mod misplaced;
 mod mode;
 mod object;
 mod pdo;

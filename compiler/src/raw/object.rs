@@ -47,7 +47,7 @@ pub struct RawEntries {
 
 /// `[objects.<index>]`: an object of the dictionary. The keys from `name` on say what its value is; the tables
 /// in `entries` have them, too. For a record or an array `type`, `access`, `pdo`, `category`, `unit`, `default`, `min`,
-/// `max`, `values`, `written`, `functional` and `trigger` hold for all entries that do not say otherwise, but for
+/// `max`, `values`, `written`, `backup`, `setting`, `functional` and `trigger` hold for all entries that do not say otherwise, but for
 /// subindex 0.
 #[derive(Debug, Default, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -84,7 +84,7 @@ pub struct RawEntry {
     /// Its name.
     pub name: Option<String>,
     /// Its data type: `BOOL`, `INT8` to `INT64`, `UINT8` to `UINT64`, `REAL32`, `REAL64`, `BYTE`, `WORD`,
-    /// `DWORD`, `BIT1` to `BIT8`, `STRING` or `STRING(n)`.
+    /// `DWORD`, `BIT1` to `BIT8`, `STRING`, `STRING(n)`, `OCTET_STRING(n)` with n bytes or `UNICODE_STRING(n)` with n units of 16 bits.
     pub r#type: Option<String>,
     /// `"ro"`, `"wo"`, `"rw"` or `"const"`.
     pub access: Option<Access>,
@@ -105,6 +105,10 @@ pub struct RawEntry {
     pub values: Option<Meanings>,
     /// The EtherCAT states in which it may be written; any in which there is a mailbox if absent.
     pub written: Option<WriteWindow>,
+    /// Whether a tool saves it, to write it to a device that takes this one's place.
+    pub backup: Option<bool>,
+    /// Whether it is one of the settings of an application.
+    pub setting: Option<bool>,
     /// What it is for.
     pub about: Option<String>,
     /// What else is to be said of it here.

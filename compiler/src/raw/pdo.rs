@@ -33,6 +33,8 @@ raw! {
         pub max_bytes: Option<u16>,
         /// The largest number of entries it can be mapped to, for a free mapping.
         pub max_entries: Option<u8>,
+        /// The sync unit it belongs to: PDOs of different ones are exchanged apart from each other.
+        pub sync_unit: Option<String>,
         /// What it is for.
         pub about: Option<String>,
     }
@@ -68,16 +70,29 @@ impl<'de> Deserialize<'de> for RawMapped {
 }
 
 raw! {
-    /// `[sync-managers.<role>]`: a memory area of the EtherCAT slave controller.
+    /// `[sync-managers.<role>]`: a memory area of the EtherCAT slave controller. The roles are `mailbox-out`,
+    /// `mailbox-in`, `outputs` and `inputs`; where there are several of a role, the key is any word and `role` says it.
     pub struct RawSyncManager {
+        /// What it is for, if its key does not say it.
+        pub role: Option<String>,
+        /// Its number, which is its place among the sync managers; if absent, they lie in the order of the roles, and
+        /// those of one role as they are written.
+        pub number: Option<u8>,
         /// The first byte of the area.
         pub address: u16,
         /// The bytes of a mailbox; process data areas are as long as what is assigned to them.
         pub size: Option<u16>,
+        /// The shortest the area can get, in bytes.
+        pub min_size: Option<u16>,
         /// The longest the area can get, in bytes.
         pub max_size: Option<u16>,
         /// The control byte.
         pub control: Option<u8>,
+        /// Whether it is on; if absent, it is if it has something to carry.
+        pub enable: Option<bool>,
+        /// Whether it is on in Operational only.
+        #[serde(default)]
+        pub op_only: bool,
         /// The PDOs assigned at start-up.
         #[serde(default)]
         pub pdos: Vec<String>,

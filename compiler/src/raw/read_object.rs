@@ -19,6 +19,8 @@ pub(crate) const SHARED: &[&str] = &[
     "max",
     "values",
     "written",
+    "backup",
+    "setting",
     "functional",
     "trigger",
 ];

@@ -23,8 +23,19 @@ fn configuration(
     objects: &[Object],
     basis: &Basis<'_>,
 ) -> Configuration {
-    let RawConfiguration { key: id, name, outputs, inputs, mapping, mode, cycle_time, about, source, origin } =
-        raw;
+    let RawConfiguration {
+        key: id,
+        name,
+        default,
+        outputs,
+        inputs,
+        mapping,
+        mode,
+        cycle_time,
+        about,
+        source,
+        origin,
+    } = raw;
     let outputs = assigned(context, &origin, "outputs", outputs.as_deref(), basis.pdos);
     let inputs = assigned(context, &origin, "inputs", inputs.as_deref(), basis.pdos);
     let mut mapped = Vec::new();
@@ -34,6 +45,7 @@ fn configuration(
     let mut configuration = Configuration {
         id,
         name,
+        default,
         outputs,
         inputs,
         mapping: mapped,
@@ -44,7 +56,8 @@ fn configuration(
         source,
         origin,
     };
-    configuration.startup = startup::startup(context, &configuration, objects, basis.mailbox);
+    configuration.startup =
+        startup::startup(context, &configuration, objects, basis.mailbox, basis.sync_managers);
     configuration
 }
 

@@ -1,7 +1,5 @@
 //! What every part of the resolver needs at hand.
 
-use std::str::FromStr;
-
 use super::names::{self, Names};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
 use crate::model::{Address, Axis, Index, Object, Shift};
@@ -27,15 +25,6 @@ impl Context<'_> {
     pub(super) fn invalid(&mut self, text: &str, expected: &str, at: Location) {
         let message = format!("`{text}` means nothing here");
         self.fault(&faults::INVALID_VALUE, message, at, &format!("expected {expected}"));
-    }
-
-    /// Reads a value, or reports that it cannot be read.
-    pub(super) fn parse<T: FromStr>(&mut self, text: &str, expected: &str, at: Location) -> Option<T> {
-        let value = text.parse().ok();
-        if value.is_none() {
-            self.invalid(text, expected, at);
-        }
-        value
     }
 
     /// Binds a reference to an object or an entry, or reports that there is none.

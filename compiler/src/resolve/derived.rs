@@ -4,8 +4,8 @@ use super::entries::plain;
 use super::objects::Described;
 use super::{overlay, startup};
 use crate::model::{
-    Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Object, Pdo, Role,
-    SyncManager, Value,
+    Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Object, Pdo, SyncManager,
+    Value,
 };
 use crate::source::Origin;
 
@@ -108,22 +108,23 @@ fn mapping(pdo: &Pdo, basis: &Basis<'_>) -> Object {
 /// 0x1C00: what each sync manager is for, as ETG.1000.6 numbers it.
 fn types(basis: &Basis<'_>) -> Object {
     let index = Index(0x1C00);
-    let values = basis.sync_managers.iter().map(|manager| {
-        (format!("Sync manager {}", manager.role.number()), u32::from(manager.role.number()) + 1)
-    });
+    let values = basis
+        .sync_managers
+        .iter()
+        .map(|manager| (format!("Sync manager {}", manager.number), u32::from(manager.role.kind())));
     let used = basis.sync_managers.len();
     let entries = entries(index, DataType::Uint(8), used, values, Access::Ro, basis.origin);
     let name = "Sync manager communication type";
     object(index, "sync-manager-communication-type".to_owned(), name.to_owned(), entries, basis.origin)
 }
 
-/// 0x1C12 and 0x1C13: the PDOs that a sync manager carries.
+/// 0x1C10 and the sync manager's number: the PDOs that it carries, 0x1C12 and 0x1C13 in most devices.
 fn assignment(manager: &SyncManager, basis: &Basis<'_>) -> Option<Object> {
-    if !matches!(manager.role, Role::Outputs | Role::Inputs) {
+    if !manager.role.is_process_data() {
         return None;
     }
-    let number = manager.role.number();
-    let index = Index(0x1C10 + u16::from(number));
+    let number = manager.number;
+    let index = manager.assignment();
     let free = basis.mailbox.is_some_and(|mailbox| mailbox.pdo_assign);
     let access = if free { Access::Rw } else { Access::Ro };
     let slots = usize::from(manager.slots).max(manager.pdos.len());
@@ -138,7 +139,7 @@ fn assignment(manager: &SyncManager, basis: &Basis<'_>) -> Option<Object> {
     Some(object)
 }
 
-/// 0x1C10 and 0x1C11, which never carry PDOs and exist only if a description says so.
+/// The assignment object of a sync manager that carries no PDOs, which exists only if a description says so.
 fn empty_assignment(index: Index, origin: Origin) -> Object {
     let number = index.0 & 0xF;
     let entries = entries(index, DataType::Uint(16), 0, std::iter::empty(), Access::Ro, &origin);

@@ -5,7 +5,8 @@ use super::derived::{self, Basis};
 use super::kept::{self, sorted};
 use super::names::Names;
 use super::{
-    axes, closed, configurations, coordinates, front, modes, objects, pdos, sync_managers, units, words,
+    axes, closed, configurations, coordinates, front, modes, objects, pdos, restated, sync_managers, units,
+    words,
 };
 use crate::diagnostic::Diagnostics;
 use crate::model::{
@@ -19,7 +20,8 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     let context = &mut context(&mut raw, diagnostics);
     closed::judge(context, &raw);
     let (head, identity) = (raw.head?, raw.identity?);
-    let described = objects::objects(context, raw.objects);
+    let mut described = objects::objects(context, raw.objects);
+    restated::fill(&mut described.objects, &head, &identity, raw.axes.as_ref());
     let mut pdos = pdos::pdos(context, &raw.rx_pdos, Direction::Rx, &described.objects);
     pdos.extend(pdos::pdos(context, &raw.tx_pdos, Direction::Tx, &described.objects));
     let raw_pdos: Vec<_> = raw.rx_pdos.iter().chain(&raw.tx_pdos).collect();
@@ -48,7 +50,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         communication_states: sorted(raw.communication_states, |state| state.code),
         communication_transitions: raw.communication_transitions,
         al_status_codes: sorted(raw.al_status_codes, |code| code.code),
-        sync_managers, mailbox: raw.mailbox,
+        sync_managers, mailbox: raw.mailbox, timeouts: raw.timeouts,
         sync_modes: kept::sync_modes(raw.sync_modes), cycle_times: raw.cycle_times, dead_time: raw.dead_time,
         pdos: by_direction(pdos), configurations, words,
         states: raw.states, commands: raw.commands,
@@ -101,9 +103,16 @@ fn eeprom() -> Eeprom {
 /// How the axes share the dictionary.
 fn arrangement(context: &Context<'_>, raw: Option<RawAxes>) -> Arrangement {
     // The names stand with the axes, the ranges in the context.
-    let RawAxes { key: _, names: _, about: _, shifts: _, pdo_shift: _, coupling, source, origin } =
+    let RawAxes { key: _, names: _, about: _, shifts: _, pdo_shift: _, add_info, coupling, source, origin } =
         raw.unwrap_or_default();
-    Arrangement { shifts: context.shifts.clone(), pdo_shift: context.pdo_shift, coupling, source, origin }
+    Arrangement {
+        shifts: context.shifts.clone(),
+        pdo_shift: context.pdo_shift,
+        add_info,
+        coupling,
+        source,
+        origin,
+    }
 }
 
 fn by_direction(pdos: Vec<Pdo>) -> Vec<Pdo> {

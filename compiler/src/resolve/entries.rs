@@ -8,7 +8,7 @@ use crate::model::{
     Access, Address, Category, DataType, Entry, Index, Literal, Mappable, Meanings, Trigger, Value,
 };
 use crate::raw::{RawEntries, RawEntry, RawObject, RawTrigger};
-use crate::source::Origin;
+use crate::source::{Location, Origin};
 
 /// The one entry of an object with a single value.
 pub(super) fn single(context: &mut Context<'_>, raw: &RawObject, index: Index, name: &str) -> Option<Entry> {
@@ -119,6 +119,8 @@ pub(super) fn plain(address: Address, name: &str, data_type: DataType, origin: &
         max: None,
         values: Meanings::default(),
         written: None,
+        backup: false,
+        setting: false,
         about: None,
         note: None,
         functional: true,
@@ -158,6 +160,8 @@ pub(super) fn entry(
         max,
         values,
         written,
+        backup,
+        setting,
         about,
         note,
         functional,
@@ -186,6 +190,8 @@ pub(super) fn entry(
         max,
         values: values.clone().unwrap_or_default(),
         written: *written,
+        backup: backup.unwrap_or_default(),
+        setting: setting.unwrap_or_default(),
         about: about.clone(),
         note: note.clone(),
         functional: functional.unwrap_or(true),
@@ -213,10 +219,24 @@ fn data_type(
         }
         return known;
     };
-    let expected = "a data type such as BOOL, INT32, UINT16, REAL32, WORD or STRING(8)";
-    match context.parse(text, expected, origin.value("type"))? {
-        DataType::Text(0) => Some(DataType::Text(values::text_length(default))),
-        data_type => Some(data_type),
+    match text.parse() {
+        Ok(DataType::Text(0)) => Some(DataType::Text(values::text_length(default))),
+        Ok(data_type) => Some(data_type),
+        Err(()) => {
+            let fault = unknown_type(text, origin.value("type"));
+            context.diagnostics.push(fault);
+            None
+        }
+    }
+}
+
+/// Reports a type that there is not, with devc's name for it if it has one elsewhere.
+fn unknown_type(text: &str, at: Location) -> Diagnostic {
+    let expected = "expected a data type such as BOOL, INT32, UINT16, REAL32, WORD or STRING(8)";
+    let fault = Diagnostic::new(&faults::INVALID_VALUE, format!("`{text}` means nothing here"), at, expected);
+    match DataType::named_elsewhere(text) {
+        Some(meant) => fault.fix(format!("here it is `{meant}`"), at, format!("\"{meant}\"")),
+        None => fault,
     }
 }
 

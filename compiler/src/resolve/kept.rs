@@ -2,10 +2,10 @@
 //! is there.
 
 use super::context::Context;
-use crate::diagnostic::faults;
+use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::Siblings;
 use crate::model::{Device, ErrorCode, HomingMethod, SyncMode, Transition};
-use crate::source::Origin;
+use crate::source::{Layer, Origin};
 
 /// The same tables in the order of a key.
 pub(super) fn sorted<T, K: Ord>(mut tables: Vec<T>, key: impl FnMut(&T) -> K) -> Vec<T> {
@@ -85,9 +85,15 @@ fn bind_all(
 fn transitions(context: &mut Context<'_>, numbers: &[u8], device: &Device, origin: &Origin) {
     for (i, number) in numbers.iter().enumerate() {
         if !device.transitions.iter().any(|transition| transition.number == *number) {
-            let at = origin.value(&format!("transitions.{i}"));
             let message = format!("there is no transition {number}");
-            context.fault(&faults::UNKNOWN_REFERENCE, message, at, "not in `[transitions]`");
+            let fault = |at, label| Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, label);
+            context.diagnostics.push(match origin.layer("transitions") {
+                // Nothing of it stands in the description but the mention of the command.
+                Some(Layer::Profile) => fault(origin.header(), "the profile sets it off by this")
+                    .label(origin.value("transitions"), "in the profile")
+                    .help(format!("add `[transitions.{number}]`, or say here which `transitions` there are")),
+                _ => fault(origin.value(&format!("transitions.{i}")), "not in `[transitions]`"),
+            });
         }
     }
 }

@@ -20,6 +20,7 @@ mod numbered;
 mod objects;
 mod overlay;
 mod pdos;
+mod restated;
 mod startup;
 mod sync_managers;
 mod units;

@@ -5,10 +5,9 @@
 
 use super::context::Context;
 use super::objects;
-use crate::model::{Address, Configuration, Direction, Index, Mailbox, Mapped, Object, Pdo, SdoWrite};
-
-const OUTPUTS: Index = Index(0x1C12);
-const INPUTS: Index = Index(0x1C13);
+use crate::model::{
+    Address, Configuration, Direction, Index, Mailbox, Mapped, Object, Pdo, Role, SdoWrite, SyncManager,
+};
 
 /// The start-up list of a configuration, in order.
 pub(super) fn startup(
@@ -16,26 +15,45 @@ pub(super) fn startup(
     configuration: &Configuration,
     objects: &[Object],
     mailbox: Option<&Mailbox>,
+    managers: &[SyncManager],
 ) -> Vec<SdoWrite> {
     let assigns = mailbox.is_none_or(|mailbox| mailbox.pdo_assign);
     let maps = mailbox.is_none_or(|mailbox| mailbox.pdo_config);
-    let assignments = [(OUTPUTS, &configuration.outputs), (INPUTS, &configuration.inputs)];
-    let chosen = || {
-        let chosen = assignments.iter().filter(|_| assigns);
-        chosen.filter_map(|(index, pdos)| pdos.as_ref().map(|pdos| (*index, pdos)))
-    };
+    let mut chosen = Vec::new();
+    if assigns {
+        chosen.extend(by_manager(Role::Outputs, configuration.outputs.as_deref(), managers));
+        chosen.extend(by_manager(Role::Inputs, configuration.inputs.as_deref(), managers));
+    }
     let mut writes: Vec<SdoWrite> =
-        chosen().map(|(index, _)| count(index, 0, format!("clear the assignment {index}"))).collect();
+        chosen.iter().map(|(index, _)| count(*index, 0, format!("clear the assignment {index}"))).collect();
     if maps {
         writes.extend(of(configuration, Direction::Tx).flat_map(mapping));
         writes.extend(of(configuration, Direction::Rx).flat_map(mapping));
     }
-    writes.extend(chosen().flat_map(|(index, pdos)| assignment(index, pdos)));
+    writes.extend(chosen.iter().flat_map(|(index, pdos)| assignment(*index, pdos)));
     for axis in &context.axes {
         writes.extend(mode(configuration, on_axis(context, objects, "0x6060", axis.number)));
         writes.extend(cycle(configuration, on_axis(context, objects, "0x60C2", axis.number)));
     }
     writes
+}
+
+/// The chosen PDOs of a direction by the assignment object of their sync manager: the one that carries them by default,
+/// or the first.
+fn by_manager(role: Role, chosen: Option<&[Index]>, managers: &[SyncManager]) -> Vec<(Index, Vec<Index>)> {
+    let Some(chosen) = chosen else { return Vec::new() };
+    let of_role: Vec<&SyncManager> = managers.iter().filter(|manager| manager.role == role).collect();
+    let usual = match role {
+        Role::Inputs => Index(0x1C13),
+        _ => Index(0x1C12),
+    };
+    let Some(first) = of_role.first() else { return vec![(usual, chosen.to_vec())] };
+    let carrier = |pdo: &Index| of_role.iter().find(|manager| manager.pdos.contains(pdo)).unwrap_or(first);
+    let split = of_role.iter().map(|manager| {
+        let pdos = chosen.iter().filter(|pdo| carrier(pdo).number == manager.number);
+        (manager.assignment(), pdos.copied().collect())
+    });
+    split.collect()
 }
 
 /// Where an object lies on an axis, if it does anything there.

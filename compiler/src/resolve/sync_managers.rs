@@ -15,16 +15,49 @@ pub(super) fn sync_managers(
 ) -> Vec<SyncManager> {
     let mut managers = Vec::new();
     for entity in raw {
-        let roles = Role::ALL.map(|role| role.key().to_owned());
-        let at = entity.origin.header();
-        context.bind(&entity.key, &roles, "sync manager", at);
-        let role = Role::ALL.into_iter().find(|role| role.key() == entity.key);
-        if let Some(role) = role {
-            managers.push(sync_manager(context, entity, role, described, pdos));
+        if let Some(role) = role(context, &entity) {
+            let number = entity.number;
+            managers.push((number, sync_manager(context, entity, role, described, pdos)));
         }
     }
-    managers.sort_by_key(|manager| manager.role);
+    let mut managers = in_order(managers);
+    (0..=u8::MAX).zip(&mut managers).for_each(|(number, manager)| manager.number = number);
     managers
+}
+
+/// What a sync manager is for: what it says, or its key.
+fn role(context: &mut Context<'_>, entity: &RawSyncManager) -> Option<Role> {
+    let roles = Role::ALL.map(|role| role.key().to_owned());
+    let find = |text: &str| Role::ALL.into_iter().find(|role| role.key() == text);
+    match &entity.role {
+        Some(text) => {
+            let at = entity.origin.value("role");
+            if find(text).is_some() && find(&entity.key).is_some_and(|key| Some(key) != find(text)) {
+                context.invalid(text, &format!("`{}`, as its key says", entity.key), at);
+            }
+            context.bind(text, &roles, "role", at);
+            find(text)
+        }
+        None => {
+            context.bind(&entity.key, &roles, "sync manager", entity.origin.header());
+            find(&entity.key)
+        }
+    }
+}
+
+/// The sync managers in the order of their numbers; those without one fill the places between, by role.
+fn in_order(managers: Vec<(Option<u8>, SyncManager)>) -> Vec<SyncManager> {
+    let count = managers.len();
+    let (mut placed, mut free): (Vec<_>, Vec<_>) =
+        managers.into_iter().partition(|(number, _)| number.is_some());
+    placed.sort_by_key(|(number, _)| *number);
+    free.sort_by_key(|(_, manager)| manager.role);
+    let (mut placed, mut free) = (placed.into_iter().peekable(), free.into_iter());
+    let next = |place: usize| {
+        let due = placed.next_if(|(number, _)| number.is_some_and(|number| usize::from(number) <= place));
+        due.or_else(|| free.next()).or_else(|| placed.next())
+    };
+    (0..count).filter_map(next).map(|(_, manager)| manager).collect()
 }
 
 fn sync_manager(
@@ -37,27 +70,22 @@ fn sync_manager(
     let assigned = assigned(context, &entity, described);
     let bits: u32 = pdos.iter().filter(|pdo| assigned.contains(&pdo.index)).map(Pdo::bits).sum();
     let image = u16::try_from(bits.div_ceil(8)).unwrap_or(u16::MAX);
-    let RawSyncManager { key: _, address, size, max_size, control, pdos: _, slots, source, origin } = entity;
+    let size = entity.size.unwrap_or(image);
     SyncManager {
+        id: entity.key,
+        number: 0,
         role,
-        address,
-        size: size.unwrap_or(image),
-        max_size,
-        control: control.unwrap_or(usual_control(role)),
-        slots: slots.unwrap_or_else(|| u8::try_from(assigned.len()).unwrap_or(u8::MAX)),
+        address: entity.address,
+        min_size: entity.min_size,
+        size,
+        max_size: entity.max_size,
+        control: entity.control.unwrap_or(role.usual_control()),
+        enable: entity.enable.unwrap_or(size > 0),
+        op_only: entity.op_only,
+        slots: entity.slots.unwrap_or_else(|| u8::try_from(assigned.len()).unwrap_or(u8::MAX)),
         pdos: assigned,
-        source,
-        origin,
-    }
-}
-
-/// The control byte that ETG.1000.4 gives a sync manager of this role.
-fn usual_control(role: Role) -> u8 {
-    match role {
-        Role::MailboxOut => 0x26,
-        Role::MailboxIn => 0x22,
-        Role::Outputs => 0x64,
-        Role::Inputs => 0x20,
+        source: entity.source,
+        origin: entity.origin,
     }
 }
 

@@ -14,7 +14,7 @@ pub(super) fn value(
     origin: &Origin,
 ) -> Option<Value> {
     let value = match literal {
-        Literal::Text(text) if !matches!(data_type, DataType::Text(_)) => {
+        Literal::Text(text) if !matches!(data_type, DataType::Text(_) | DataType::Unicode(_)) => {
             Literal::twice(text).and_then(|(first, _)| fit(&Literal::Integer(first), data_type))
         }
         _ => fit(literal, data_type),
@@ -65,6 +65,9 @@ fn fit(literal: &Literal, data_type: DataType) -> Option<Value> {
         (Literal::Text(text), DataType::Text(bytes)) => {
             (text.len() <= usize::from(bytes)).then(|| Value::Text(text.clone()))
         }
+        (Literal::Text(text), DataType::Unicode(units)) => {
+            (text.encode_utf16().count() <= usize::from(units)).then(|| Value::Text(text.clone()))
+        }
         (Literal::Float(value), DataType::Real32 | DataType::Real64) => real(*value, data_type),
         (Literal::Integer(value), DataType::Real32 | DataType::Real64) => real(*value as f64, data_type),
         (Literal::Integer(value), _) => {
@@ -99,6 +102,8 @@ fn holds(data_type: DataType) -> String {
         (Some((min, max)), _) => format!("{data_type} holds {min} to {max}"),
         (None, DataType::Real32) => format!("{data_type} holds numbers up to {:e}", f32::MAX),
         (None, DataType::Text(bytes)) => format!("{data_type} holds text of up to {bytes} bytes"),
+        (None, DataType::Unicode(units)) => format!("{data_type} holds text of up to {units} units"),
+        (None, DataType::Octets(_)) => format!("{data_type} holds bytes, of which no value can be told"),
         (None, _) => format!("{data_type} holds numbers"),
     }
 }

@@ -10,6 +10,18 @@ use devc::source::Memory;
 const HEAD: &str = "\n[device]\nname = \"Example\"\nvendor = \"Example\"\n";
 const IDENTITY: &str = "\n[identity]\nvendor-id = 0x76D\nproduct-code = 3\nrevision = 1\n";
 
+/// What the slave controller starts with.
+const EEPROM: &str = "\n[eeprom]\nsize = 16384\nconfig-data = \"050E03EE0000\"\n";
+
+/// What carries mail and process data.
+const SYNC_MANAGERS: &str = "
+[sync-managers]
+mailbox-out = { address = 0x1000, size = 128 }
+mailbox-in = { address = 0x1080, size = 128 }
+outputs = { address = 0x1100 }
+inputs = { address = 0x1800 }
+";
+
 /// The example under a heading.
 pub(crate) fn example<'d>(docs: &'d str, heading: &str) -> Option<&'d str> {
     let (_, section) = docs.split_once(&format!(" ## {heading}\n"))?;
@@ -33,8 +45,10 @@ fn files(example: &str) -> Vec<(String, String)> {
     }
     files.push(file);
     let whole: String = files.iter().map(|(_, text)| text.as_str()).collect();
-    let missing = [("[device]", HEAD), ("[identity]", IDENTITY)];
-    let missing = missing.into_iter().filter(|(header, _)| !whole.contains(header));
+    let missing = [("[device]", HEAD), ("[identity]", IDENTITY), ("[eeprom]", EEPROM)];
+    let carried = ["[rx-pdos", "[tx-pdos", "[mailbox]"].into_iter().any(|header| whole.contains(header));
+    let managers = carried.then_some(("[sync-managers", SYNC_MANAGERS));
+    let missing = missing.into_iter().chain(managers).filter(|(header, _)| !whole.contains(header));
     files.iter_mut().take(1).for_each(|(_, main)| main.extend(missing.clone().map(|(_, text)| text)));
     files
 }

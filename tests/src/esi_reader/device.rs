@@ -1,5 +1,6 @@
 //! A device, without its dictionary.
 
+use super::clocks::{self, OpMode};
 use super::dictionary::{self, Dictionary};
 use super::node::{
     Node, attribute, bytes, children, content, flag, number, only, optional, optional_number, optional_text,
@@ -17,14 +18,20 @@ pub struct Device {
     pub product_code: u32,
     /// Its revision.
     pub revision: u32,
+    /// The revisions that tools hide.
+    pub hidden: Vec<u32>,
+    /// For how many milliseconds a master waits, by element.
+    pub timeouts: Vec<(String, u32)>,
+    /// Its sync units.
+    pub sync_units: Vec<String>,
     /// Its name.
     pub name: String,
     /// The type of its group.
     pub group: String,
     /// Number and additional information of its profile.
     pub profile: (Option<u32>, Option<u32>),
-    /// Number and name of each channel of the profile.
-    pub channels: Vec<(u32, String)>,
+    /// Number, additional information and name of each channel of the profile.
+    pub channels: Vec<(u32, Option<u32>, Option<String>)>,
     /// Its object dictionary.
     pub dictionary: Dictionary,
     /// Its mapping units.
@@ -39,14 +46,24 @@ pub struct Device {
     pub protocols: Vec<String>,
     /// What it can do with CoE.
     pub coe: Option<CoE>,
+    /// What it can do with EoE: IP and MAC address.
+    pub eoe: (Option<u8>, Option<u8>),
+    /// What a master writes at start-up.
+    pub init_commands: Vec<InitCommand>,
     /// Its ways to keep time.
     pub op_modes: Vec<OpMode>,
     /// Its EEPROM.
     pub eeprom: Option<Eeprom>,
 }
 
-/// What a mapping unit is for.
-pub type Fmmu = String;
+/// A mapping unit.
+#[derive(Debug)]
+pub struct Fmmu {
+    /// What it is for.
+    pub kind: String,
+    /// The sync manager it is for.
+    pub sync_manager: Option<usize>,
+}
 
 /// A sync manager.
 #[derive(Debug)]
@@ -55,6 +72,8 @@ pub struct SyncManager {
     pub kind: String,
     /// The first byte.
     pub address: u16,
+    /// The smallest length.
+    pub min_size: Option<u16>,
     /// The length by default.
     pub size: u16,
     /// The greatest length.
@@ -63,6 +82,8 @@ pub struct SyncManager {
     pub control: u8,
     /// Whether it is on.
     pub enabled: bool,
+    /// Whether it is on in Operational only.
+    pub op_only: bool,
 }
 
 /// A PDO.
@@ -78,6 +99,8 @@ pub struct Pdo {
     pub mandatory: bool,
     /// The sync manager it is assigned to at start-up.
     pub sync_manager: Option<usize>,
+    /// The sync unit it belongs to.
+    pub sync_unit: Option<usize>,
     /// The PDOs it cannot go with.
     pub excludes: Vec<u16>,
     /// What is in it.
@@ -99,6 +122,17 @@ pub struct PdoEntry {
     pub data_type: Option<String>,
 }
 
+/// A write at start-up.
+#[derive(Debug, PartialEq, Eq)]
+pub struct InitCommand {
+    /// The change of state during which it is made.
+    pub transition: String,
+    /// Index and subindex.
+    pub address: (u16, u8),
+    /// What is written.
+    pub data: Vec<u8>,
+}
+
 /// What a device can do with CoE.
 #[derive(Debug)]
 pub struct CoE {
@@ -112,30 +146,6 @@ pub struct CoE {
     pub complete_access: bool,
     /// Whether long transfers are possible.
     pub segmented: bool,
-}
-
-/// A way to keep time.
-#[derive(Debug)]
-pub struct OpMode {
-    /// Its name.
-    pub name: String,
-    /// What people call it.
-    pub description: Option<String>,
-    /// The register that starts the clocks.
-    pub assign_activate: u16,
-    /// The first signal.
-    pub sync0: Option<Signal>,
-    /// The second signal.
-    pub sync1: Option<Signal>,
-}
-
-/// A signal of the clocks.
-#[derive(Debug)]
-pub struct Signal {
-    /// Its period in cycles of the master.
-    pub factor: Option<i32>,
-    /// Its delay in nanoseconds.
-    pub shift: u64,
 }
 
 /// The EEPROM.
@@ -158,28 +168,46 @@ pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
         type_name: content(kind),
         product_code: attribute(kind, "ProductCode")?.ok_or("a type without ProductCode")?,
         revision: attribute(kind, "RevisionNo")?.ok_or("a type without RevisionNo")?,
+        hidden: children(node, "HideType")
+            .map(|it| attribute(it, "RevisionNo")?.ok_or_else(|| "a HideType without RevisionNo".to_owned()))
+            .collect::<Result<_, _>>()?,
+        timeouts: timeouts(node)?,
+        sync_units: children(node, "Su").map(content).collect(),
         name: text(node, "Name")?,
         group: text(node, "GroupType")?,
         profile: (optional_number(profile, "ProfileNo")?, optional_number(profile, "AddInfo")?),
         channels: children(profile, "ChannelInfo").map(channel).collect::<Result<_, _>>()?,
         dictionary: dictionary::read(only(profile, "Dictionary")?)?,
-        fmmus: children(node, "Fmmu").map(content).collect(),
+        fmmus: children(node, "Fmmu").map(fmmu).collect::<Result<_, _>>()?,
         sync_managers: children(node, "Sm").map(sync_manager).collect::<Result<_, _>>()?,
         rx_pdos: children(node, "RxPdo").map(pdo).collect::<Result<_, _>>()?,
         tx_pdos: children(node, "TxPdo").map(pdo).collect::<Result<_, _>>()?,
         protocols: mailbox.into_iter().flat_map(|mailbox| mailbox.children()).filter_map(protocol).collect(),
         coe: coe.map(abilities),
+        eoe: match mailbox.map(|mailbox| optional(mailbox, "EoE")).transpose()?.flatten() {
+            Some(eoe) => (attribute(eoe, "IP")?, attribute(eoe, "MAC")?),
+            None => (None, None),
+        },
+        init_commands: coe
+            .into_iter()
+            .flat_map(|coe| children(coe, "InitCmd"))
+            .map(init_command)
+            .collect::<Result<_, _>>()?,
         op_modes: clocks
             .into_iter()
             .flat_map(|clocks| children(clocks, "OpMode"))
-            .map(op_mode)
+            .map(clocks::op_mode)
             .collect::<Result<_, _>>()?,
         eeprom: optional(node, "Eeprom")?.map(eeprom).transpose()?,
     })
 }
 
-fn channel(node: Node<'_, '_>) -> Result<(u32, String), String> {
-    Ok((number(node, "ProfileNo")?, text(node, "DisplayName")?))
+fn channel(node: Node<'_, '_>) -> Result<(u32, Option<u32>, Option<String>), String> {
+    Ok((number(node, "ProfileNo")?, optional_number(node, "AddInfo")?, optional_text(node, "DisplayName")?))
+}
+
+fn fmmu(node: Node<'_, '_>) -> Result<Fmmu, String> {
+    Ok(Fmmu { kind: content(node), sync_manager: attribute(node, "Sm")? })
 }
 
 fn sync_manager(node: Node<'_, '_>) -> Result<SyncManager, String> {
@@ -187,9 +215,11 @@ fn sync_manager(node: Node<'_, '_>) -> Result<SyncManager, String> {
         kind: content(node),
         address: attribute(node, "StartAddress")?.ok_or("an Sm without StartAddress")?,
         size: attribute(node, "DefaultSize")?.ok_or("an Sm without DefaultSize")?,
+        min_size: attribute(node, "MinSize")?,
         max_size: attribute(node, "MaxSize")?,
         control: attribute(node, "ControlByte")?.ok_or("an Sm without ControlByte")?,
         enabled: flag(node, "Enable"),
+        op_only: flag(node, "OpOnly"),
     })
 }
 
@@ -200,6 +230,7 @@ fn pdo(node: Node<'_, '_>) -> Result<Pdo, String> {
         fixed: flag(node, "Fixed"),
         mandatory: flag(node, "Mandatory"),
         sync_manager: attribute(node, "Sm")?,
+        sync_unit: attribute(node, "Su")?,
         excludes: children(node, "Exclude").map(super::node::value).collect::<Result<_, _>>()?,
         entries: children(node, "Entry").map(entry).collect::<Result<_, _>>()?,
     })
@@ -219,6 +250,22 @@ fn protocol(node: Node<'_, '_>) -> Option<String> {
     node.is_element().then(|| node.tag_name().name().to_owned())
 }
 
+fn init_command(node: Node<'_, '_>) -> Result<InitCommand, String> {
+    Ok(InitCommand {
+        transition: text(node, "Transition")?,
+        address: (number(node, "Index")?, number(node, "SubIndex")?),
+        data: bytes(only(node, "Data")?)?,
+    })
+}
+
+/// All numbers that stand in a `Timeout` of `Info`.
+fn timeouts(node: Node<'_, '_>) -> Result<Vec<(String, u32)>, String> {
+    let Some(info) = optional(node, "Info")? else { return Ok(Vec::new()) };
+    let timeouts = info.descendants().filter(|it| it.has_tag_name("Timeout"));
+    let times = timeouts.flat_map(|timeout| timeout.children().filter(Node::is_element));
+    times.map(|time| Ok((time.tag_name().name().to_owned(), super::node::value(time)?))).collect()
+}
+
 fn abilities(node: Node<'_, '_>) -> CoE {
     CoE {
         sdo_info: flag(node, "SdoInfo"),
@@ -227,22 +274,6 @@ fn abilities(node: Node<'_, '_>) -> CoE {
         complete_access: flag(node, "CompleteAccess"),
         segmented: flag(node, "SegmentedSdo"),
     }
-}
-
-fn op_mode(node: Node<'_, '_>) -> Result<OpMode, String> {
-    Ok(OpMode {
-        name: text(node, "Name")?,
-        description: optional_text(node, "Desc")?,
-        assign_activate: number(node, "AssignActivate")?,
-        sync0: signal(node, "CycleTimeSync0", "ShiftTimeSync0")?,
-        sync1: signal(node, "CycleTimeSync1", "ShiftTimeSync1")?,
-    })
-}
-
-fn signal(node: Node<'_, '_>, cycle: &str, shift: &str) -> Result<Option<Signal>, String> {
-    let Some(cycle) = optional(node, cycle)? else { return Ok(None) };
-    let shift = optional_number(node, shift)?.unwrap_or_default();
-    Ok(Some(Signal { factor: attribute(cycle, "Factor")?, shift }))
 }
 
 fn eeprom(node: Node<'_, '_>) -> Result<Eeprom, String> {

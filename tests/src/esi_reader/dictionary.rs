@@ -60,6 +60,8 @@ pub struct Flags {
     pub category: Option<String>,
     /// `T`, `R` or both.
     pub pdo_mapping: Option<String>,
+    /// Whether a backup holds it, and whether it is a setting.
+    pub kept: (Option<u8>, Option<u8>),
 }
 
 /// An object.
@@ -290,5 +292,6 @@ fn flags(node: Node<'_, '_>) -> Result<Flags, String> {
         write_restrictions: access.attribute("WriteRestrictions").map(str::to_owned),
         category: optional_text(node, "Category")?,
         pdo_mapping: optional_text(node, "PdoMapping")?,
+        kept: (optional_number(node, "Backup")?, optional_number(node, "Setting")?),
     })
 }

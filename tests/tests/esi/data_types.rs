@@ -47,10 +47,37 @@ fn choices_of_the_same_values_share_a_type() {
     let subject = corners();
     let dictionary = &subject.esi.devices[0].dictionary;
     let type_of = |index| dictionary.objects.iter().find(|it| it.index == index).unwrap().type_name.as_str();
-    assert_eq!(type_of(0x2004), "DT0800EN08");
-    assert_eq!(type_of(0x2005), "DT0800EN08", "the same choice");
+    assert_eq!(type_of(0x2009), "DT0800EN08");
+    assert_eq!(type_of(0x200A), "DT0800EN08", "the same choice");
     assert_eq!(type_of(0x2006), "SINT", "one value is no choice");
-    let choices = [(-1, "Backward".to_owned()), (0, "Still".to_owned()), (1, "Forward".to_owned())];
+    assert_eq!(type_of(0x2004), "SINT", "ETG.2000 has no enumerations of numbers with a sign");
+    let choices = [(0, "Off".to_owned()), (1, "On".to_owned()), (255, "Unknown".to_owned())];
     assert_eq!(dictionary.types["DT0800EN08"].choices, choices);
-    assert_eq!(dictionary.types["DT0800EN08"].base.as_deref(), Some("SINT"));
+    assert_eq!(dictionary.types["DT0800EN08"].base.as_deref(), Some("USINT"));
+}
+
+#[test]
+fn enumerations_stand_on_types_that_may_have_them() {
+    for subject in subjects() {
+        for (model, read) in subject.devices() {
+            let enumerations = read.dictionary.types.values().filter(|it| !it.choices.is_empty());
+            for base in enumerations.map(|it| it.base.as_deref().unwrap_or_default()) {
+                assert!(["BOOL", "USINT", "UINT", "UDINT"].contains(&base), "{}: {base}", model.name);
+            }
+        }
+    }
+}
+
+/// ETG.1020 has them as arrays of bytes and of units of 16 bits, which have no subindices.
+#[test]
+fn octets_and_wide_text_are_arrays() {
+    let subject = corners();
+    let dictionary = &subject.esi.devices[0].dictionary;
+    let object = |index| dictionary.objects.iter().find(|it| it.index == index).unwrap();
+    let array = |name: &str| (dictionary.types[name].base.as_deref(), dictionary.types[name].array);
+    assert_eq!(object(0x200C).type_name, "ARRAY [0..5] OF BYTE");
+    assert_eq!(array("ARRAY [0..5] OF BYTE"), (Some("BYTE"), Some((0, 6))));
+    assert_eq!(object(0x200D).type_name, "ARRAY [0..3] OF UINT");
+    assert_eq!(array("ARRAY [0..3] OF UINT"), (Some("UINT"), Some((0, 4))));
+    assert_eq!(object(0x200D).info.default, Some(vec![b'a', 0, 0xDF, 0, 0, 0, 0, 0]));
 }

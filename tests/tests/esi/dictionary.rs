@@ -5,7 +5,7 @@ use devc::model::{
 };
 use devc_tests::esi_reader::{self, Flags, Value};
 
-use crate::subjects::{corners, subjects};
+use crate::subjects::{corners, is_named, subjects};
 
 /// Objects of the model with what the file says of them.
 fn objects<'a>(
@@ -25,7 +25,7 @@ fn objects_are_those_of_the_model_by_index() {
         for (model, read) in subject.devices() {
             for (object, read, values) in objects(model, read) {
                 assert_eq!(read.index, object.index.0);
-                assert_eq!(read.name, object.name, "{}", object.index);
+                assert!(is_named(model, &read.name, &object.name, object.axis), "{}", object.index);
                 assert_eq!(values.len(), object.entries.len(), "{}", object.index);
             }
             assert!(read.dictionary.objects.is_sorted_by(|one, next| one.index < next.index));
@@ -52,6 +52,7 @@ fn compare(object: &Object, entry: &Entry, value: &Value) {
     let data_type = if alone || at.subindex > 0 { entry.data_type } else { DataType::Uint(8) };
     assert_eq!(value.subindex, at.subindex, "{at}");
     let name = if alone { &object.name } else { &entry.name };
+    // The axis or the subindex, in parentheses.
     let suffixed = value.name.strip_prefix(name.as_str()).is_some_and(|suffix| suffix.starts_with(" ("));
     assert!(value.name == *name || suffixed, "{at}: {} is not {name}", value.name);
     assert_eq!(value.basic_type, spelled(data_type), "{at}");
@@ -61,7 +62,9 @@ fn compare(object: &Object, entry: &Entry, value: &Value) {
     assert_eq!(value.info.min, entry.min.as_ref().map(|it| bytes(it, data_type)), "{at}");
     assert_eq!(value.info.max, entry.max.as_ref().map(|it| bytes(it, data_type)), "{at}");
     let choices: Vec<_> = entry.values.iter().map(|it| (it.value, it.name.clone())).collect();
-    let expected = if choices.len() > 1 { choices } else { Vec::new() };
+    // ETG.2000 lets these be enumerations.
+    let may = ["BOOL", "USINT", "UINT", "UDINT"].contains(&value.basic_type.as_str());
+    let expected = if may && choices.len() > 1 { choices } else { Vec::new() };
     assert_eq!(value.choices, expected, "{at}");
 }
 
@@ -95,6 +98,7 @@ fn flags(entry: &Entry, category: Category) -> Flags {
         }),
         category: Some(category.to_owned()),
         pdo_mapping: pdo_mapping.map(str::to_owned),
+        kept: (entry.backup.then_some(1), entry.setting.then_some(1)),
     }
 }
 
@@ -112,6 +116,12 @@ fn spelled(data_type: DataType) -> String {
         ("REAL32", "REAL"),
         ("REAL64", "LREAL"),
     ];
+    // Arrays without subindices: the type of an element.
+    match data_type {
+        DataType::Octets(_) => return "BYTE".to_owned(),
+        DataType::Unicode(_) => return "UINT".to_owned(),
+        _ => {}
+    }
     let written = data_type.to_string();
     table
         .iter()
@@ -123,7 +133,9 @@ fn spelled(data_type: DataType) -> String {
 fn bytes(value: &ModelValue, data_type: DataType) -> Vec<u8> {
     let width = data_type.bits().div_ceil(8) as usize;
     if let ModelValue::Text(text) = value {
-        let mut bytes = text.clone().into_bytes();
+        let wide = matches!(data_type, DataType::Unicode(_));
+        let units = text.encode_utf16().flat_map(u16::to_le_bytes);
+        let mut bytes = if wide { units.collect() } else { text.clone().into_bytes() };
         bytes.resize(width, 0);
         return bytes;
     }
@@ -178,6 +190,19 @@ fn what_people_should_know_is_in_the_comments() {
             }
         }
     }
+}
+
+#[test]
+fn values_that_no_type_can_tell_are_in_the_comments() {
+    let subject = corners();
+    let objects = &subject.esi.devices[0].dictionary.objects;
+    let comment = |index| objects.iter().find(|it| it.index == index).unwrap().comment.clone();
+    let values = "Values: -1 = Backward; 0 = Still; 1 = Forward.";
+    assert_eq!(comment(0x2004).as_deref(), Some(values), "an INT8 is no enumeration");
+    assert_eq!(comment(0x2006).as_deref(), Some("Values: 0 = Still."), "one value is no choice");
+    assert_eq!(comment(0x2009), None, "the type has them");
+    let spoken = "Part 1: The first. Part 3: The last. Values: -1 = Left; 1 = Right.";
+    assert_eq!(comment(0x200B).as_deref(), Some(spoken), "the elements of an array share their type");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use devc::model::{Section, SyncSignal};
 use devc_tests::esi_reader::Signal;
 
-use crate::subjects::subjects;
+use crate::subjects::{named, subjects};
 
 #[test]
 fn vendor_and_groups_are_those_of_the_model() {
@@ -37,11 +37,32 @@ fn identity_is_that_of_the_model() {
 fn each_axis_is_a_channel_of_the_profile() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
-            let axes = model.axes.iter().filter_map(|axis| Some((model.profile?, axis.name.clone())));
+            let named = |axis: &devc::model::Axis| (!axis.name.is_empty()).then(|| axis.name.clone());
+            let axes = model.axes.iter().filter_map(|axis| Some((model.profile?, named(axis))));
             assert_eq!(read.profile.0, model.profile);
-            assert_eq!(read.channels, axes.collect::<Vec<_>>());
+            let channels = read.channels.iter().map(|(number, _, name)| (*number, name.clone()));
+            assert_eq!(channels.collect::<Vec<_>>(), axes.collect::<Vec<_>>());
         }
     }
+}
+
+/// The upper half of the device type is 2 for a servo drive (CiA 402) and 0xFFFF for several axes (CiA 301); that is
+/// no type of an axis.
+#[test]
+fn each_channel_of_a_servo_drive_says_that_it_is_one() {
+    for family in ["c887", "s700", "pmc-sc6"] {
+        for (_, read) in named(family).devices() {
+            assert!(!read.channels.is_empty(), "{family}");
+            assert!(read.channels.iter().all(|(_, information, _)| *information == Some(2)), "{family}");
+        }
+    }
+}
+
+#[test]
+fn name_and_title_are_parted_by_a_colon() {
+    let names = |family| named(family).devices().map(|(_, read)| read.name.clone()).collect::<Vec<_>>();
+    assert_eq!(names("c887"), ["C-887.53x: Hexapod controller with EtherCAT interface"]);
+    assert_eq!(names("without_outputs"), ["Sensor"], "no title, no colon");
 }
 
 #[test]
@@ -54,7 +75,9 @@ fn the_device_type_consists_of_the_profile_and_its_additional_information() {
             let Some([low, high, more, most]) = object.info.default.as_deref() else { continue };
             let profile = u32::from(*low) | u32::from(*high) << 8;
             let information = u32::from(*more) | u32::from(*most) << 8;
-            assert_eq!(read.profile, (Some(profile), Some(information)), "{}", model.name);
+            // 0 stands for a device without a profile, ETG.1000.6.
+            let stated = if profile == 0 { (None, None) } else { (Some(profile), Some(information)) };
+            assert_eq!(read.profile, stated, "{}", model.name);
         }
     }
 }
@@ -86,7 +109,7 @@ fn the_mailbox_can_do_what_the_model_says() {
 fn the_ways_to_keep_time_are_those_of_the_model() {
     let same = |model: &Option<SyncSignal>, read: &Option<Signal>| match (model, read) {
         (None, None) => true,
-        (Some(model), Some(read)) => Some(model.cycles) == read.factor && model.shift.0 == read.shift,
+        (Some(model), Some(read)) => model.shift.0 == i64::from(read.shift),
         _ => false,
     };
     for subject in subjects() {
@@ -109,19 +132,62 @@ fn the_ways_to_keep_time_are_those_of_the_model() {
     }
 }
 
+/// ETG.2000: `Factor` counts cycles of the master, below 0 the signals in one; a time of its own has none.
 #[test]
-fn the_eeprom_is_left_alone_unless_its_first_bytes_are_known() {
+fn signals_come_when_they_are_said_to() {
+    let modes = &named("corners").esi.devices[0].op_modes;
+    let signals = |name: &str| {
+        let mode = modes.iter().find(|mode| mode.name == name).unwrap();
+        [&mode.sync0, &mode.sync1].map(|signal| {
+            signal.as_ref().map(|it| (it.period, it.factor, it.shift, it.shift_factor, it.input))
+        })
+    };
+    let both = [Some((0, Some(1), 20_000, None, false)), Some((0, Some(-2), 0, None, false))];
+    assert_eq!(signals("both"), both);
+    let fixed = [Some((250_000, None, -20_000, None, false)), Some((0, Some(3), 0, Some(1), true))];
+    assert_eq!(signals("fixed"), fixed);
+    assert_eq!(signals("free-run"), [None, None], "the clocks stand still");
+}
+
+#[test]
+fn the_eeprom_is_that_of_the_description() {
     for subject in subjects() {
         for (model, read) in subject.devices() {
             let written = read.eeprom.as_ref().map(|it| (it.size, it.config_data.clone()));
-            let known = Some((model.eeprom.size, model.eeprom.config_data.0.clone()));
-            assert_eq!(written, known.filter(|(_, data)| !data.is_empty()));
+            let described = Some((model.eeprom.size, model.eeprom.config_data.0.clone()));
+            assert_eq!(written, described.filter(|_| model.eeprom.is_described()));
         }
     }
+    let first = |family: &str| named(family).esi.devices[0].eeprom.as_ref().map(|it| it.config_data.clone());
+    assert_eq!(first("s700"), Some(vec![0x09, 0, 0, 0x08, 0, 0]), "as two siblings have it");
+    assert_eq!(first("c887"), Some(Vec::new()), "nobody knows them, and a guess would do harm");
+    assert_eq!(first("without_mailbox"), None, "nothing is said of it");
 }
 
-/// What an ESI has elements for (ETG.2000): identity, mailbox and clocks whole, of a sync manager all but how long it can
-/// get. It has none for what a drive does: words, states, modes, errors, units.
+/// ETG.1000.6 makes 0x1018 repeat what the EEPROM has; CiA 301 has 0xFFFF in the device type of several axes.
+#[test]
+fn what_one_section_states_the_dictionary_repeats() {
+    let device = &named("corners").esi.devices[0];
+    let defaults = |index: u16| {
+        let object = device.dictionary.objects.iter().find(|object| object.index == index).unwrap();
+        let values = device.dictionary.values(object).unwrap();
+        values.iter().map(|value| value.info.default.clone()).collect::<Vec<_>>()
+    };
+    let number = |value: u32| Some(value.to_le_bytes().to_vec());
+    let identity = [number(device_vendor()), number(device.product_code), number(device.revision), None];
+    assert_eq!(defaults(0x1018)[1..], identity);
+    assert_eq!(defaults(0x1008), [Some(b"Corner 1".to_vec())]);
+    let sensor = &named("without_outputs").esi.devices[0].dictionary;
+    let name = sensor.objects.iter().find(|object| object.index == 0x1008).unwrap();
+    assert_eq!((name.bits, name.info.default.clone()), (48, Some(b"Sensor".to_vec())));
+}
+
+fn device_vendor() -> u32 {
+    named("corners").esi.vendor_id
+}
+
+/// What an ESI has elements for (ETG.2000): identity, mailbox and clocks whole, of a sync manager all but how many PDOs it
+/// takes. It has none for what a drive does: words, states, modes, errors, units.
 #[test]
 fn what_is_assumed_can_be_read_at_the_head_if_the_file_has_it() {
     let whole = [Section::Identity, Section::Mailbox];
@@ -145,7 +211,7 @@ fn what_is_assumed_can_be_read_at_the_head_if_the_file_has_it() {
             let reason =
                 assumption.reason.split_whitespace().collect::<Vec<_>>().join(" ").replace("--", "- -");
             let at = &assumption.at;
-            let manager = at.section == Section::SyncManagers && at.path.as_deref() != Some("max-size");
+            let manager = at.section == Section::SyncManagers && at.path.as_deref() != Some("slots");
             if whole.contains(&at.section) || manager {
                 assert!(head.contains(&at.to_string()) && head.contains(&reason), "{at} is not at the head");
                 seen += 1;

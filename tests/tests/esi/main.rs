@@ -11,4 +11,6 @@ mod dictionary;
 mod head;
 mod layout;
 mod process_data;
+mod start_up;
 mod subjects;
+mod sync_managers;

@@ -1,4 +1,4 @@
-//! What is tested: every description that devc ships, and one that has what those have not.
+//! What is tested: every description that devc ships, and some that have what those have not.
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -12,6 +12,14 @@ use devc_tests::esi_reader::{self, Esi};
 
 /// A description with a corner of every kind.
 const CORNERS: &str = include_str!("corners.toml");
+
+/// Devices that have not the usual four sync managers.
+const WIRED: [(&str, &str); 4] = [
+    ("without_outputs", include_str!("wired/without_outputs.toml")),
+    ("without_inputs", include_str!("wired/without_inputs.toml")),
+    ("without_mailbox", include_str!("wired/without_mailbox.toml")),
+    ("five_managers", include_str!("wired/five_managers.toml")),
+];
 
 /// A family with the file that was written for it.
 pub(crate) struct Subject {
@@ -31,14 +39,24 @@ impl Subject {
 /// All of them, compiled once.
 static SUBJECTS: LazyLock<Vec<Subject>> = LazyLock::new(|| {
     let mut subjects: Vec<_> = shipped().iter().map(|folder| subject(&Disk, folder)).collect();
-    let corners = Memory::new().with("/corners/device.toml", CORNERS);
-    subjects.push(subject(&corners, Path::new("/corners")));
+    for (id, text) in [("corners", CORNERS)].into_iter().chain(WIRED) {
+        let folder = Path::new("/").join(id);
+        subjects.push(subject(&Memory::new().with(folder.join("device.toml"), text), &folder));
+    }
     subjects
 });
 
 /// All of them.
 pub(crate) fn subjects() -> &'static [Subject] {
     &SUBJECTS
+}
+
+/// Whether a name in a file is that of the model, with the axis behind it where there are several.
+pub(crate) fn is_named(model: &Device, read: &str, name: &str, axis: Option<u8>) -> bool {
+    match axis.and_then(|axis| model.axes.get(usize::from(axis))).filter(|_| model.axes.len() > 1) {
+        Some(axis) => read == format!("{name} ({})", axis.name) || read == name && name.contains(&axis.name),
+        None => read == name,
+    }
 }
 
 /// The one of this id.

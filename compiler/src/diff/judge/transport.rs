@@ -4,7 +4,7 @@ use super::{Judged, Presence, Whole, presence};
 use crate::diff::change::Kind;
 use crate::diff::kinds;
 use crate::diff::place::Versions;
-use crate::model::{Device, Difference, Protocol, Role, SyncManager};
+use crate::model::{Device, Difference, Protocol, SyncManager};
 
 /// The bits of a control byte that say how the area is buffered and who writes it (ETG.1000.4, sync manager control).
 const BUFFER_AND_DIRECTION: u8 = 0x0F;
@@ -18,8 +18,8 @@ pub(super) fn sync_manager(versions: Versions<'_>, path: &[&str]) -> Option<&'st
         return Some(&kinds::MOVED_SYNC_MANAGER);
     };
     Some(match rest {
-        // The length of process data follows from what is assigned.
-        ["size"] if matches!(old.role, Role::Outputs | Role::Inputs) && image_differs(versions, old.role) => {
+        // The length of process data follows from what is assigned, and whether there is any.
+        ["size" | "enable"] if versions.old.carried_bytes(old) != versions.new.carried_bytes(new) => {
             return None;
         }
         ["control"] if (old.control ^ new.control) & BUFFER_AND_DIRECTION == 0 => &kinds::CHANGED_WATCHDOG,
@@ -29,17 +29,14 @@ pub(super) fn sync_manager(versions: Versions<'_>, path: &[&str]) -> Option<&'st
         ["slots"] if new.slots < old.slots => &kinds::RESTRICTED_PDO,
         ["slots"] => &kinds::LOOSENED_PDO,
         ["max_size"] => area(old.max_size, new.max_size),
+        ["min_size"] => area(new.min_size, old.min_size),
         ["source"] => &kinds::CHANGED_TEXT,
         _ => &kinds::MOVED_SYNC_MANAGER,
     })
 }
 
 fn manager<'d>(device: &'d Device, key: &str) -> Option<&'d SyncManager> {
-    device.sync_managers.iter().find(|manager| manager.role.key() == key)
-}
-
-fn image_differs(versions: Versions<'_>, role: Role) -> bool {
-    versions.old.image_bytes(role) != versions.new.image_bytes(role)
+    device.sync_managers.iter().find(|manager| manager.id == *key)
 }
 
 /// Without a limit there is none.

@@ -85,6 +85,7 @@ fn alike(entries: &[Entry]) -> bool {
                 && one.pdo == other.pdo
                 && one.category == other.category
                 && one.written == other.written
+                && (one.backup, one.setting) == (other.backup, other.setting)
                 && one.values == other.values
         })
 }

@@ -19,7 +19,14 @@ fn op_mode(mode: &SyncMode) -> Element {
         .children(mode.sync1.iter().flat_map(|signal| times(signal, "CycleTimeSync1", "ShiftTimeSync1")))
 }
 
-/// A period of 0 ns leaves it to the factor: so many cycles of the master.
+/// A period of 0 ns leaves it to the factor: so many cycles of the master. One that is a time of its own has no factor.
 fn times(signal: &SyncSignal, cycle: &'static str, shift: &'static str) -> [Element; 2] {
-    [Element::leaf(cycle, 0).with("Factor", signal.cycles), Element::leaf(shift, signal.shift.0)]
+    let period = match signal.period {
+        Some(period) => Element::leaf(cycle, period.0),
+        None => Element::leaf(cycle, 0).with("Factor", signal.cycles),
+    };
+    let shift = Element::leaf(shift, signal.shift.0)
+        .with_some("Factor", signal.shift_cycles)
+        .with_some("Input", signal.of_inputs.then_some("1"));
+    [period, shift]
 }

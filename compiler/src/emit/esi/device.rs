@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::literal::{Hex, prose};
-use super::{dc, eeprom, mailbox, pdo, profile, sync_managers};
+use super::{dc, eeprom, mailbox, pdo, profile, sync_managers, timeouts};
 use crate::model::{Device, Direction};
 
 /// A device.
@@ -10,11 +10,14 @@ pub(super) fn device(device: &Device) -> Element {
     Element::new("Device")
         .with("Physics", &device.physics)
         .child(type_and_identity(device))
+        .children(device.identity.replaces.iter().map(hidden))
         .child(Element::worded("Name", name(device)))
+        .child(timeouts::info(device))
         .child(Element::leaf("GroupType", &device.group))
         .child(profile::profile(device))
         .children(sync_managers::fmmus(device))
         .children(device.sync_managers.iter().map(sync_managers::sync_manager))
+        .children(device.sync_units().into_iter().map(|unit| Element::leaf("Su", unit)))
         .children(pdo::in_order(device, Direction::Rx))
         .children(pdo::in_order(device, Direction::Tx))
         .child(mailbox::mailbox(device))
@@ -28,10 +31,15 @@ fn type_and_identity(device: &Device) -> Element {
         .with("RevisionNo", Hex(device.identity.revision))
 }
 
-/// What a person picks from a list: the name to order by, and what that is.
+/// A revision that tools no longer offer.
+fn hidden(revision: &u32) -> Element {
+    Element::new("HideType").with("RevisionNo", Hex(*revision))
+}
+
+/// What a person picks from a list: the name to order by, and behind a colon what that is.
 fn name(device: &Device) -> String {
     match &device.title {
-        Some(title) => prose(&format!("{} {title}", device.name)),
+        Some(title) => prose(&format!("{}: {title}", device.name)),
         None => device.name.clone(),
     }
 }

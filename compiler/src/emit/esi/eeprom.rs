@@ -4,11 +4,10 @@ use super::element::Element;
 use super::literal::Bytes;
 use crate::model::Eeprom;
 
-/// The EEPROM, unless its first bytes are unknown: a tool that fills them with zeros would turn the device's
-/// process data interface off, and one that finds no `Eeprom` leaves them alone.
+/// The EEPROM, if anything is said of it. Its first bytes are there as far as they are known: a guess could turn the
+/// device's process data interface off, so that unknown ones are left out, and a rule has asked for them.
 pub(super) fn eeprom(eeprom: &Eeprom) -> Option<Element> {
-    let known = !eeprom.config_data.0.is_empty();
-    known.then(|| {
+    eeprom.is_described().then(|| {
         Element::new("Eeprom")
             .child(Element::leaf("ByteSize", eeprom.size))
             .child(Element::leaf("ConfigData", Bytes(&eeprom.config_data.0)))

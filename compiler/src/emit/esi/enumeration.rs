@@ -7,7 +7,7 @@ use super::primitive;
 use crate::model::{DataType, Meaning};
 
 /// The values that the schema takes for an enumeration.
-const VALUES: std::ops::RangeInclusive<i64> = -0x8000_0000..=0xFFFF_FFFF;
+const VALUES: std::ops::RangeInclusive<i64> = 0..=0xFFFF_FFFF;
 
 /// The first of the indices that ETG.1020 keeps for enumerations; types are named after them.
 const FIRST: usize = 0x0800;
@@ -21,9 +21,13 @@ pub(super) struct Enumeration {
 }
 
 impl Enumeration {
-    /// The type of a value, if it is a choice: at least two of its values have meanings.
+    /// The type of a value, if it is a choice: at least two of its values have meanings, and its type is one of those that
+    /// ETG.2000 lets be an enumeration.
     pub(super) fn of(member: &Member<'_>) -> Option<Self> {
         let base = member.data_type;
+        if !matches!(base, DataType::Bool | DataType::Uint(8 | 16 | 32)) {
+            return None;
+        }
         let fits = |value| {
             VALUES.contains(&value)
                 && base.range().is_some_and(|(min, max)| (min..=max).contains(&value.into()))

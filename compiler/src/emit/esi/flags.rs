@@ -5,7 +5,7 @@ use crate::model::{Access, Category, Entry, Kind, Mappable, Object, WriteWindow}
 
 /// The flags of an entry. A `SubItem` gets them all, since they hide those of its object as a whole.
 pub(super) fn of_entry(entry: &Entry) -> Element {
-    flags(access(entry), entry.category, entry.pdo)
+    flags(access(entry), entry.category, entry.pdo, Kept { backup: entry.backup, setting: entry.setting })
 }
 
 /// The flags of an object: those of its value, or for an object of several what holds for any of them.
@@ -18,10 +18,18 @@ pub(super) fn of_object(object: &Object) -> Element {
     let access = first.map_or_else(|| Element::leaf("Access", word(readable, writable)), access);
     let rx = values().any(|entry| entry.pdo.rx());
     let tx = values().any(|entry| entry.pdo.tx());
-    flags(access, object.category, mappable(rx, tx))
+    let kept =
+        Kept { backup: values().any(|entry| entry.backup), setting: values().any(|entry| entry.setting) };
+    flags(access, object.category, mappable(rx, tx), kept)
 }
 
-fn flags(access: Element, category: Category, pdo: Mappable) -> Element {
+/// What a tool keeps of a device.
+struct Kept {
+    backup: bool,
+    setting: bool,
+}
+
+fn flags(access: Element, category: Category, pdo: Mappable, kept: Kept) -> Element {
     let category = match category {
         Category::Mandatory => "m",
         Category::Optional => "o",
@@ -37,6 +45,8 @@ fn flags(access: Element, category: Category, pdo: Mappable) -> Element {
         .child(access)
         .child(Element::leaf("Category", category))
         .child(mapping.map(|directions| Element::leaf("PdoMapping", directions)))
+        .child(kept.backup.then(|| Element::leaf("Backup", 1)))
+        .child(kept.setting.then(|| Element::leaf("Setting", 1)))
 }
 
 fn access(entry: &Entry) -> Element {

@@ -12,37 +12,74 @@ use crate::model::{Assumption, Device, Family, Section};
 /// but for what only a reference says.
 const IN_FILE: &[(Section, &[&str])] = &[
     (Section::Device, &["name", "vendor", "group", "type-name", "profile", "physics", "title"]),
-    (Section::Identity, &["vendor-id", "product-code", "revision", "serial"]),
-    (Section::Axes, &["names"]),
+    (Section::Identity, &["vendor-id", "product-code", "revision", "serial", "replaces"]),
+    (Section::Eeprom, &["size", "config-data"]),
+    (Section::Axes, &["names", "add-info"]),
     (
         Section::Mailbox,
-        &["protocols", "sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"],
+        &[
+            "protocols",
+            "sdo-info",
+            "pdo-assign",
+            "pdo-config",
+            "complete-access",
+            "segmented",
+            "eoe-ip",
+            "eoe-mac",
+        ],
     ),
-    (Section::SyncManagers, &["address", "size", "control", "pdos"]),
+    (Section::Timeouts, &["pre-op", "safe-op-op", "back-to-init", "back-to-safe-op", "request", "response"]),
+    (
+        Section::SyncManagers,
+        &[
+            "role", "number", "address", "min-size", "size", "max-size", "control", "enable", "op-only",
+            "pdos",
+        ],
+    ),
     (Section::SyncModes, &["name", "assign-activate", "sync0", "sync1", "default"]),
-    (Section::RxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
-    (Section::TxPdos, &["name", "entries", "fixed", "mandatory", "excludes"]),
+    (Section::RxPdos, &["name", "entries", "fixed", "mandatory", "excludes", "sync-unit"]),
+    (Section::TxPdos, &["name", "entries", "fixed", "mandatory", "excludes", "sync-unit"]),
     (
         Section::Objects,
         &[
             "name", "type", "access", "pdo", "category", "default", "min", "max", "values", "written",
-            "entries", "about",
+            "entries", "about", "backup", "setting",
         ],
     ),
 ];
 
-/// Whether the file says what is assumed. The EEPROM is in it only if its first bytes are known.
+/// Whether the file says what is assumed.
 fn is_in_file(assumption: &Assumption, device: &Device) -> bool {
-    if assumption.at.section == Section::Eeprom {
-        return !device.eeprom.config_data.0.is_empty();
+    if assumption.at.section == Section::Configurations {
+        let default = device.configurations.iter().find(|configuration| configuration.default);
+        return default
+            .is_some_and(|default| assumption.at.key == Section::Configurations.at(&default.id).key);
     }
     let keys = IN_FILE.iter().find(|(section, _)| *section == assumption.at.section).map(|(_, keys)| keys);
     let first = assumption.at.path.as_deref().and_then(|path| path.split('.').next());
     keys.is_some_and(|keys| first.is_none_or(|first| keys.contains(&first)))
 }
 
-/// What the file says of a mailbox although the description does not.
+/// What the file says although the description does not.
 fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
+    let head = [("physics", &device.physics), ("group", &device.group), ("type-name", &device.type_name)];
+    let head = head.into_iter().filter(|(key, _)| !device.origin.has(key));
+    let head: Vec<_> =
+        head.map(|(key, value)| format!("device.{key} = {value}: the description does not say it")).collect();
+    let size = (device.eeprom.is_described() && !device.eeprom.origin.has("size"))
+        .then(|| format!("eeprom.size = {}: usual", device.eeprom.size));
+    let control = device.sync_managers.iter().filter(|manager| !manager.origin.has("control"));
+    let control = control.map(|manager| {
+        let (id, control) = (&manager.id, manager.control);
+        format!("sync-managers.{id}.control = 0x{control:02X}: usual for what it carries")
+    });
+    let control: Vec<_> = control.collect();
+    let free = device.mailbox.as_ref().is_some_and(|mailbox| mailbox.pdo_config);
+    let fixed = device.pdos.iter().any(|pdo| pdo.fixed && free && !pdo.origin.has("fixed"));
+    let fixed =
+        fixed.then(|| "Fixed = 1: where the description does not say that a mapping is free".to_owned());
+    let layer =
+        device.mailbox.as_ref().map(|_| "DataLinkLayer = 1: mail is acknowledged, as is usual".to_owned());
     let keys = ["sdo-info", "pdo-assign", "pdo-config", "complete-access", "segmented"];
     let said = |key: &&str| device.mailbox.as_ref().is_none_or(|mailbox| mailbox.origin.has(key));
     let keys: Vec<&str> = keys.into_iter().filter(|key| !said(key)).collect();
@@ -50,9 +87,17 @@ fn unsaid(device: &Device) -> impl Iterator<Item = String> + use<> {
     let fmmus = (!device.sync_managers.is_empty()).then(|| {
         "Fmmu: one for each sync manager of process data and one for the state of the mailbox, as is usual".to_owned()
     });
-    let enable = (!device.sync_managers.is_empty())
-        .then(|| "Sm Enable = 1: each sync manager that is described is in use".to_owned());
-    lines.chain(fmmus).chain(enable)
+    let silent = device.sync_managers.iter().any(|manager| manager.enable && !manager.origin.has("enable"));
+    let enable =
+        silent.then(|| "Sm Enable = 1: each sync manager that carries something is in use".to_owned());
+    head.into_iter()
+        .chain(size)
+        .chain(lines)
+        .chain(layer)
+        .chain(control)
+        .chain(fmmus)
+        .chain(enable)
+        .chain(fixed)
 }
 
 /// The text of the comment.

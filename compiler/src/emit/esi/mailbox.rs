@@ -1,7 +1,8 @@
 //! `Mailbox`: the protocols beside process data.
 
 use super::element::Element;
-use crate::model::{Device, Index, Mailbox, Protocol};
+use super::literal::{Bytes, Hex};
+use crate::model::{Device, Index, Mailbox, Protocol, SdoWrite};
 
 /// Where a device keeps its diagnosis messages, if it keeps any.
 const DIAGNOSIS_HISTORY: Index = Index(0x10F3);
@@ -13,9 +14,32 @@ pub(super) fn mailbox(device: &Device) -> Option<Element> {
     let spoken = order.filter(|protocol| mailbox.protocols.contains(protocol));
     let elements = spoken.map(|protocol| match protocol {
         Protocol::Coe => coe(device, mailbox),
+        Protocol::Eoe => eoe(mailbox),
         other => Element::new(other.name()),
     });
     Some(Element::new("Mailbox").with_flag("DataLinkLayer", true).children(elements))
+}
+
+fn eoe(mailbox: &Mailbox) -> Element {
+    let flag = |value: Option<bool>| value.map(u8::from);
+    Element::new("EoE").with_some("IP", flag(mailbox.eoe_ip)).with_some("MAC", flag(mailbox.eoe_mac))
+}
+
+/// What a master writes at start-up for the configuration that the device is in by default. Assignment and mapping are
+/// not among it: masters write them by themselves, as the PDOs say.
+fn init_commands(device: &Device) -> impl Iterator<Item = Element> {
+    let default = device.configurations.iter().filter(|configuration| configuration.default);
+    let writes = default.flat_map(|configuration| &configuration.startup);
+    writes.filter(|write| !write.address.index.is_derived()).map(init_command)
+}
+
+fn init_command(write: &SdoWrite) -> Element {
+    Element::new("InitCmd")
+        .child(Element::leaf("Transition", &write.transition))
+        .child(Element::leaf("Index", Hex(write.address.index.0)))
+        .child(Element::leaf("SubIndex", write.address.subindex))
+        .child(Element::leaf("Data", Bytes(&write.data)))
+        .child(Element::leaf("Comment", &write.comment))
 }
 
 fn coe(device: &Device, mailbox: &Mailbox) -> Element {
@@ -26,4 +50,5 @@ fn coe(device: &Device, mailbox: &Mailbox) -> Element {
         .with_flag("CompleteAccess", mailbox.complete_access)
         .with_flag("SegmentedSdo", mailbox.segmented)
         .with_some("DiagHistory", device.object(DIAGNOSIS_HISTORY).map(|_| "1"))
+        .children(init_commands(device))
 }

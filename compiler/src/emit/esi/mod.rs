@@ -15,11 +15,13 @@ mod groups;
 mod heading;
 mod literal;
 mod mailbox;
+mod names;
 mod objects;
 mod pdo;
 mod primitive;
 mod profile;
 mod sync_managers;
+mod timeouts;
 mod types;
 mod vendor;
 

@@ -4,19 +4,15 @@ use super::composite::{Member, Shape};
 use super::element::Element;
 use super::literal::{Bytes, Hex};
 use super::types::Types;
-use super::{comment, flags};
-use crate::model::{Object, Value};
+use super::{comment, flags, names};
+use crate::model::{Device, Object, Value};
 
 /// An object.
-pub(super) fn object(object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
-    let only = match shape {
-        Shape::Var(only) => Some(only.entry),
-        Shape::Array(_) | Shape::Record(_) => None,
-    };
+pub(super) fn object(device: &Device, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
     Element::new("Object")
         .child(Element::leaf("Index", Hex(object.index.0)))
-        .child(Element::worded("Name", &object.name))
-        .child(comment::of_object(object, only))
+        .child(Element::worded("Name", names::on_axis(device, &object.name, object.axis)))
+        .child(comment::of_object(object, shape))
         .child(Element::leaf("Type", types.name_of(object, shape)))
         .child(Element::leaf("BitSize", shape.bits()))
         .child(info(shape))

@@ -2,14 +2,14 @@
 
 use super::element::Element;
 use super::literal::Hex;
-use super::primitive;
-use crate::model::{Device, Direction, Mapped, Pdo, SyncManager};
+use super::{names, primitive};
+use crate::model::{Device, Direction, Index, Mapped, Pdo, Role, SyncManager};
 
 /// The PDOs of a direction by index, but those assigned at start-up in the order of their assignment: masters
 /// lay out the process image in the order of the file.
 pub(super) fn in_order(device: &Device, direction: Direction) -> Vec<Element> {
     let managers = device.sync_managers.iter();
-    let mut assigned = managers.flat_map(|manager| &manager.pdos).filter_map(|index| device.pdo(*index));
+    let mut assigned = managers.flat_map(|manager| device.assigned_to(manager));
     let mut next_assigned = || assigned.by_ref().find(|pdo| pdo.direction == direction);
     let in_place = |it| if assigned_to(device, it).is_some() { next_assigned().unwrap_or(it) } else { it };
     device.pdos_of(direction).map(in_place).map(|it| pdo(device, it)).collect()
@@ -24,27 +24,50 @@ fn pdo(device: &Device, pdo: &Pdo) -> Element {
     Element::new(tag)
         .with_some("Fixed", pdo.fixed.then_some("1"))
         .with_some("Mandatory", pdo.mandatory.then_some("1"))
-        .with_some("Sm", assigned_to(device, pdo).map(|manager| manager.role.number()))
+        .with_some("Sm", assigned_to(device, pdo).map(|manager| manager.number))
+        .with_some("Su", sync_unit(device, pdo))
         .child(Element::leaf("Index", Hex(pdo.index.0)))
-        .child(Element::worded("Name", &pdo.name))
-        .children(pdo.excludes.iter().map(|other| Element::leaf("Exclude", Hex(other.0))))
-        .children(pdo.entries.iter().map(entry))
+        .child(Element::worded("Name", names::on_axis(device, &pdo.name, pdo.axis)))
+        .children(excludes(device, pdo).into_iter().map(|other| Element::leaf("Exclude", Hex(other.0))))
+        .children(pdo.entries.iter().map(|mapped| entry(device, pdo, mapped)))
+}
+
+/// The place of its sync unit among the `Su` elements.
+fn sync_unit(device: &Device, pdo: &Pdo) -> Option<usize> {
+    let unit = pdo.sync_unit.as_deref()?;
+    device.sync_units().iter().position(|known| *known == unit)
 }
 
 fn assigned_to<'a>(device: &'a Device, pdo: &Pdo) -> Option<&'a SyncManager> {
     device.sync_managers.iter().find(|manager| manager.pdos.contains(&pdo.index))
 }
 
-fn entry(mapped: &Mapped) -> Element {
+/// The PDOs that cannot be assigned together with another: those it names, and all others of its direction if the sync
+/// manager is said to take one at a time.
+fn excludes(device: &Device, pdo: &Pdo) -> Vec<Index> {
+    let role = match pdo.direction {
+        Direction::Rx => Role::Outputs,
+        Direction::Tx => Role::Inputs,
+    };
+    let mut managers = device.sync_managers_of(role);
+    let single = managers.next().is_some_and(|manager| manager.slots == 1 && manager.origin.has("slots"));
+    if !single || managers.next().is_some() {
+        return pdo.excludes.clone();
+    }
+    device.pdos_of(pdo.direction).map(|other| other.index).filter(|other| *other != pdo.index).collect()
+}
+
+fn entry(device: &Device, pdo: &Pdo, mapped: &Mapped) -> Element {
     let Some(address) = mapped.address else { return padding(mapped.bits) };
-    // A type of another width than the one mapped would move all that follows in tools that go by types.
+    // The type of another width than the one mapped would move all that follows in tools that go by types.
     let data_type = mapped.data_type.filter(|data_type| data_type.bits() == mapped.bits);
+    let data_type = data_type.map_or_else(|| primitive::of_width(mapped.bits), primitive::name);
     Element::new("Entry")
         .child(Element::leaf("Index", Hex(address.index.0)))
         .child(Element::leaf("SubIndex", address.subindex))
         .child(Element::leaf("BitLen", mapped.bits))
-        .child(Element::worded("Name", &mapped.name))
-        .child(data_type.map(|data_type| Element::leaf("DataType", primitive::name(data_type))))
+        .child(Element::worded("Name", names::mapped(device, pdo, mapped)))
+        .child(Element::leaf("DataType", data_type))
 }
 
 fn padding(bits: u32) -> Element {

@@ -10,30 +10,41 @@ use crate::model::{Address, Device, Index};
 pub(super) fn profile(device: &Device) -> Element {
     let shapes: Vec<_> = device.objects.iter().map(|object| (object, Shape::of(object))).collect();
     let types = Types::of(&shapes);
-    let objects = shapes.iter().map(|(object, shape)| objects::object(object, shape, &types));
+    let objects = shapes.iter().map(|(object, shape)| objects::object(device, object, shape, &types));
     let objects = Element::new("Objects").children(objects);
     let dictionary = Element::new("Dictionary").child(types.declarations()).child(objects);
-    Element::new("Profile").children(number(device)).children(channels(device)).child(dictionary)
+    Element::new("Profile")
+        .children(number(device, information(device)))
+        .children(channels(device))
+        .child(dictionary)
 }
 
 fn channels(device: &Device) -> impl Iterator<Item = Element> {
     let drives = device.axes.iter().filter(|_| device.profile.is_some());
     drives.map(|axis| {
-        Element::new("ChannelInfo").children(number(device)).child(Element::worded("DisplayName", &axis.name))
+        let name = (!axis.name.is_empty()).then(|| Element::worded("DisplayName", &axis.name));
+        Element::new("ChannelInfo").children(number(device, channel(device))).child(name)
     })
 }
 
-/// The profile's number and its additional information: the two words of the device type.
-fn number(device: &Device) -> impl Iterator<Item = Element> {
-    let number = device.profile.map(|number| Element::leaf("ProfileNo", number));
-    let information = device_type(device)
-        .filter(|value| Some(value & 0xFFFF) == device.profile && value >> 16 != 0)
-        .map(|value| Element::leaf("AddInfo", value >> 16));
-    number.into_iter().chain(information)
+/// What `AddInfo` of a device says that has several axes, CiA 301: look at each of them.
+const SEVERAL: u32 = 0xFFFF;
+
+/// What each axis is: what the description says of the axes, or the device's type if that is the type of one.
+fn channel(device: &Device) -> Option<u32> {
+    let said = device.arrangement.add_info.map(u32::from);
+    said.or_else(|| information(device).filter(|information| *information != SEVERAL))
 }
 
-/// What object 0x1000 says.
-fn device_type(device: &Device) -> Option<u32> {
+/// The profile's number with the additional information.
+fn number(device: &Device, information: Option<u32>) -> impl Iterator<Item = Element> {
+    let number = device.profile.map(|number| Element::leaf("ProfileNo", number));
+    number.into_iter().chain(information.map(|information| Element::leaf("AddInfo", information)))
+}
+
+/// The additional information: the upper word of the device type, object 0x1000, if the lower one is the profile.
+fn information(device: &Device) -> Option<u32> {
     let entry = device.entry(Address { index: Index(0x1000), subindex: 0 })?;
-    entry.default.as_ref()?.integer().and_then(|value| u32::try_from(value).ok())
+    let value = entry.default.as_ref()?.integer().and_then(|value| u32::try_from(value).ok())?;
+    (Some(value & 0xFFFF) == device.profile && value >> 16 != 0).then_some(value >> 16)
 }

@@ -54,8 +54,12 @@ impl Types {
     }
 
     fn learn(&mut self, member: &Member<'_>) {
-        let data_type = member.data_type;
-        self.basic.entry(primitive::order(data_type)).or_insert_with(|| primitive::declaration(data_type));
+        let elements = primitive::elements(member.data_type).map(|(of, _)| of);
+        for data_type in [Some(member.data_type), elements].into_iter().flatten() {
+            self.basic
+                .entry(primitive::order(data_type))
+                .or_insert_with(|| primitive::declaration(data_type));
+        }
         let enumeration = Enumeration::of(member);
         self.enumerations.extend(enumeration.filter(|new| !self.enumerations.contains(new)));
     }
@@ -123,7 +127,7 @@ impl Types {
             .child(Element::leaf("SubIdx", entry.address.subindex))
             .child(Element::leaf("Name", &member.name))
             .child(Element::leaf("Type", self.name_of_member(member)))
-            .child(comment::of_entry(entry))
+            .child(comment::of_entry(member))
             .child(Element::leaf("BitSize", member.data_type.bits()))
             .child(Element::leaf("BitOffs", member.offset))
             .child(flags::of_entry(entry))

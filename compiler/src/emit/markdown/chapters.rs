@@ -37,7 +37,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
         repetitions: _, written: _,
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
         axes, arrangement, connectors, leds,
-        communication_states, communication_transitions, al_status_codes, sync_managers, mailbox,
+        communication_states, communication_transitions, al_status_codes, sync_managers, mailbox, timeouts,
         sync_modes, cycle_times, dead_time,
         pdos, configurations, words,
         states, commands, transitions, device_control,
@@ -58,6 +58,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
         &**al_status_codes,
         &**sync_managers,
         mailbox.as_ref(),
+        timeouts.as_ref(),
     );
     let chapters = [
         prepare::<device::View>(context, head),

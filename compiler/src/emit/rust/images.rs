@@ -35,8 +35,9 @@ fn image(
     title: &str,
     direction: TokenStream,
 ) -> Option<TokenStream> {
-    let manager = scope.device.sync_manager(role).filter(|manager| !manager.pdos.is_empty())?;
-    let parts = parts(scope, &manager.pdos)?;
+    let manager = scope.device.sync_manager(role)?;
+    let assigned: Vec<Index> = scope.device.assigned(role).map(|pdo| pdo.index).collect();
+    let parts = parts(scope, &assigned).filter(|parts| !parts.is_empty())?;
     let fields = parts.iter().map(|part| field(scope, part));
     let pdos = parts.iter().flat_map(|part| selected(scope, part));
     let (name, length) = (format_ident!("{name}"), scope.device.image_bytes(role));

@@ -172,6 +172,8 @@ fn data_type(data_type: DataType) -> TokenStream {
         DataType::Real32 => "DataType::REAL32".to_owned(),
         DataType::Real64 => "DataType::REAL64".to_owned(),
         DataType::Text(_) => "DataType::VISIBLE_STRING".to_owned(),
+        DataType::Octets(_) => "DataType(0x000A)".to_owned(),
+        DataType::Unicode(_) => "DataType::UNICODE_STRING".to_owned(),
         // ETG.1020, base data types: BYTE, WORD, DWORD and BIT1 to BIT8
         DataType::Bitstring(8) => "DataType(0x001E)".to_owned(),
         DataType::Bitstring(16) => "DataType(0x001F)".to_owned(),

@@ -13,18 +13,22 @@ use crate::model::{Direction, Index, Role, SyncManager};
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let ways = [(Role::Outputs, Direction::Rx), (Role::Inputs, Direction::Tx)];
     let managers = ways.into_iter().filter_map(|(role, way)| {
-        let manager = scope.device.sync_manager(role)?;
-        Some(item(scope, manager, way))
+        let managers: Vec<&SyncManager> = scope.device.sync_managers_of(role).collect();
+        let first = managers.first()?;
+        Some(item(scope, first, &managers, way))
     });
     managers.collect()
 }
 
-fn item(scope: &Scope<'_>, manager: &SyncManager, way: Direction) -> TokenStream {
+/// What the sync managers of a direction carry together.
+fn item(scope: &Scope<'_>, first: &SyncManager, managers: &[&SyncManager], way: Direction) -> TokenStream {
     let (marker, direction) = (&scope.marker, super::pdos::direction(way));
-    let default = manager.pdos.iter().map(hex);
+    let default = managers.iter().flat_map(|manager| &manager.pdos).map(hex);
     let assignable = scope.device.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_assign);
-    let slots = number(manager.slots);
-    let max_size = option(manager.max_size.map(number));
+    let slots = number(managers.iter().fold(0_u8, |sum, manager| sum.saturating_add(manager.slots)));
+    let max_size =
+        managers.iter().try_fold(0_u16, |sum, manager| Some(sum.saturating_add(manager.max_size?)));
+    let max_size = option(max_size.map(number));
     let of_way = || scope.device.pdos.iter().filter(move |pdo| pdo.direction == way);
     let mandatory = of_way().filter(|pdo| pdo.mandatory).map(|pdo| hex(&pdo.index));
     let pairs: BTreeSet<(Index, Index)> = of_way()
@@ -34,7 +38,7 @@ fn item(scope: &Scope<'_>, manager: &SyncManager, way: Direction) -> TokenStream
         let (one, other) = (hex(one), hex(other));
         quote!([#one, #other])
     });
-    let doc = Doc::default().said(manager.source.as_ref(), &manager.origin, scope.device);
+    let doc = Doc::default().said(first.source.as_ref(), &first.origin, scope.device);
     quote! {
         #doc
         impl Carries<#direction> for #marker {

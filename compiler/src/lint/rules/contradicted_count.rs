@@ -6,7 +6,8 @@ use crate::model::Device;
 
 rule! {
     /// Subindex 0 of a record or an array holds the highest subindex that there is. A master that reads an
-    /// object entry by entry stops there, or asks for entries that do not exist.
+    /// object entry by entry stops there, or asks for entries that do not exist. Only where a master may write the
+    /// number, as that of the errors in 0x1003 to clear them, it counts what is in use, and may be less.
     ///
     /// ## Fires
     /// ```toml
@@ -42,6 +43,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let help = match says.cmp(&highest.into()) {
             Ordering::Equal => continue,
             Ordering::Greater => format!("describe the others, or write {highest}"),
+            Ordering::Less if count.access.writable() => continue,
             Ordering::Less => format!("write {highest}"),
         };
         let message =

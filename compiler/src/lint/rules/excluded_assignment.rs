@@ -58,7 +58,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         for (i, second) in pdos.iter().enumerate() {
             for first in pdos.iter().take(i) {
                 if let Some(diagnostic) = judge(first, second, manager.origin.value("pdos")) {
-                    report.push(Section::SyncManagers.at(manager.role.key()), diagnostic);
+                    report.push(Section::SyncManagers.at(&manager.id), diagnostic);
                 }
             }
         }

@@ -32,7 +32,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         if before.address <= after.address {
             continue;
         }
-        let (first, second) = (before.role.key(), after.role.key());
+        let (first, second) = (&before.id, &after.id);
         let message = format!(
             "`{second}` at 0x{:04X} lies before `{first}` at 0x{:04X}",
             after.address, before.address

@@ -10,6 +10,10 @@ mod ambiguous_value_name;
 mod ambiguous_vendor_code;
 mod clashing_identifier;
 mod commanded_automatic_transition;
+mod contradicted_activation;
+mod contradicted_assignment;
+mod contradicted_config_data;
+mod contradicted_control;
 mod contradicted_count;
 mod contradicted_default;
 mod contradicted_edge;
@@ -17,8 +21,11 @@ mod contradicted_group;
 mod contradicted_identity;
 mod contradicted_modes;
 mod contradicted_notation;
+mod contradicted_period;
 mod contradicted_profile;
 mod contradicted_quantity;
+mod contradicted_size;
+mod contradicted_sync_types;
 mod contradicted_total;
 mod contradicted_width;
 mod deviating_access;
@@ -35,6 +42,8 @@ mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
+mod impossible_eeprom_size;
+mod incomplete_timeouts;
 mod indistinct_members;
 mod inverted_limits;
 mod manufacturer_bit;
@@ -43,8 +52,11 @@ mod misaligned_entry;
 mod misclassified_error;
 mod misdirected_entry;
 mod misordered_sync_managers;
+mod misplaced_sync_manager;
+mod missing_config_data;
 mod missing_group;
 mod missing_object;
+mod missing_sync_manager;
 mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
@@ -63,13 +75,17 @@ mod pointless_exclusion;
 mod renamed_entry;
 mod repeated_alias;
 mod repeated_assignment;
+mod repeated_default;
 mod repeated_error;
+mod repeated_mailbox;
 mod repeated_mapping;
+mod replaced_revision;
 mod reserved_index;
 mod several_edges;
 mod stray_profile_object;
 mod subindex_gap;
 mod undefined_default;
+mod undersized_eeprom;
 mod undersized_sync_manager;
 mod understated_axes;
 mod unexpected_mode_bit;
@@ -81,12 +97,15 @@ mod unmapped_mode;
 pub(super) mod unmended_erratum;
 mod unnumbered_group;
 mod unplaced_object;
+mod unreachable_area;
 mod unreachable_default;
 mod unreachable_transition;
 mod unrepresentable_value;
+mod unrestorable_value;
 mod unscaled_axis;
 mod unsized_string;
 mod unsourced_fact;
+mod unspoken_ability;
 mod unsupported_configuration_mode;
 mod unsupported_pdo_mode;
 mod unsupported_transition;
@@ -111,6 +130,10 @@ lints! {
     ambiguous_vendor_code,
     clashing_identifier,
     commanded_automatic_transition,
+    contradicted_activation,
+    contradicted_assignment,
+    contradicted_config_data,
+    contradicted_control,
     contradicted_count,
     contradicted_default,
     contradicted_edge,
@@ -118,8 +141,11 @@ lints! {
     contradicted_identity,
     contradicted_modes,
     contradicted_notation,
+    contradicted_period,
     contradicted_profile,
     contradicted_quantity,
+    contradicted_size,
+    contradicted_sync_types,
     contradicted_total,
     contradicted_width,
     deviating_access,
@@ -136,6 +162,8 @@ lints! {
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
+    impossible_eeprom_size,
+    incomplete_timeouts,
     indistinct_members,
     inverted_limits,
     manufacturer_bit,
@@ -144,8 +172,11 @@ lints! {
     misclassified_error,
     misdirected_entry,
     misordered_sync_managers,
+    misplaced_sync_manager,
+    missing_config_data,
     missing_group,
     missing_object,
+    missing_sync_manager,
     mixed_vendors,
     odd_count_type,
     one_sided_exclusion,
@@ -164,13 +195,17 @@ lints! {
     renamed_entry,
     repeated_alias,
     repeated_assignment,
+    repeated_default,
     repeated_error,
+    repeated_mailbox,
     repeated_mapping,
+    replaced_revision,
     reserved_index,
     several_edges,
     stray_profile_object,
     subindex_gap,
     undefined_default,
+    undersized_eeprom,
     undersized_sync_manager,
     understated_axes,
     unexpected_mode_bit,
@@ -182,12 +217,15 @@ lints! {
     unmended_erratum,
     unnumbered_group,
     unplaced_object,
+    unreachable_area,
     unreachable_default,
     unreachable_transition,
     unrepresentable_value,
+    unrestorable_value,
     unscaled_axis,
     unsized_string,
     unsourced_fact,
+    unspoken_ability,
     unsupported_configuration_mode,
     unsupported_pdo_mode,
     unsupported_transition,

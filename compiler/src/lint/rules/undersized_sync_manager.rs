@@ -45,10 +45,10 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for manager in &device.sync_managers {
-        let key = manager.role.key();
+        let key = &manager.id;
         let needs = match manager.role {
             Role::MailboxOut | Role::MailboxIn => MAILBOX,
-            role => device.image_bytes(role),
+            Role::Outputs | Role::Inputs => device.carried_bytes(manager),
         };
         let limits = [("size", Some(manager.size)), ("max-size", manager.max_size)];
         let short =

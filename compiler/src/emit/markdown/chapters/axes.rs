@@ -24,13 +24,13 @@ impl Chapter for View {
     const TEMPLATE: &'static str = include_str!("../templates/axes.md.j2");
 
     fn view(context: &Context<'_>, (axes, arrangement): Self::Parts<'_>) -> Option<Self> {
-        let Arrangement { shifts, pdo_shift, coupling, source, origin } = arrangement;
+        let Arrangement { shifts, pdo_shift, add_info, coupling, source, origin } = arrangement;
         let about = axes.iter().any(|axis| axis.about.is_some());
         let shown = context.has_axes() || coupling.is_some() || about;
         shown.then(|| Self {
             coupling: context.paragraphs(coupling.as_deref()),
             axes: table(context, axes, shifts),
-            rules: rules(context, shifts, *pdo_shift),
+            rules: rules(context, shifts, *pdo_shift).into_iter().chain(add_info.map(kind)).collect(),
             source: context.said_line(source.as_ref(), origin),
         })
     }
@@ -57,6 +57,17 @@ fn range_of(axis: &Axis, shift: &Shift) -> String {
 fn pdos(context: &Context<'_>, axis: &Axis) -> String {
     let own = context.device.pdos.iter().filter(|pdo| pdo.axis == Some(axis.number));
     list(own.map(|pdo| code(pdo.index)))
+}
+
+/// What each axis is, by the bits of the device type.
+fn kind(add_info: u16) -> String {
+    let name = match add_info {
+        1 => " (frequency converter)",
+        2 => " (servo drive)",
+        4 => " (stepper motor)",
+        _ => "",
+    };
+    format!("Each axis is of type {}{name}.", code(add_info))
 }
 
 fn rules(context: &Context<'_>, shifts: &[Shift], pdo_shift: u16) -> Vec<String> {

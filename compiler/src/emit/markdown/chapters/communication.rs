@@ -5,9 +5,11 @@ use serde::Serialize;
 use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
-use crate::emit::markdown::number::bytes;
+use crate::emit::markdown::number::{bytes, duration};
 use crate::emit::markdown::table::Table;
-use crate::model::{AlStatusCode, CommunicationState, CommunicationTransition, Mailbox, Role, SyncManager};
+use crate::model::{
+    AlStatusCode, CommunicationState, CommunicationTransition, Mailbox, Role, SyncManager, Timeouts,
+};
 
 #[derive(Serialize)]
 pub(in crate::emit::markdown) struct View {
@@ -16,6 +18,7 @@ pub(in crate::emit::markdown) struct View {
     al_status_codes: Table,
     sync_managers: Table,
     mailbox: Table,
+    timeouts: Table,
 }
 
 impl Chapter for View {
@@ -25,6 +28,7 @@ impl Chapter for View {
         &'d [AlStatusCode],
         &'d [SyncManager],
         Option<&'d Mailbox>,
+        Option<&'d Timeouts>,
     );
 
     const ID: &'static str = "communication";
@@ -33,7 +37,7 @@ impl Chapter for View {
 
     fn view(
         context: &Context<'_>,
-        (states, transitions, codes, managers, mailbox): Self::Parts<'_>,
+        (states, transitions, codes, managers, mailbox, timeouts): Self::Parts<'_>,
     ) -> Option<Self> {
         let view = Self {
             states: state_table(context, states),
@@ -41,9 +45,10 @@ impl Chapter for View {
             al_status_codes: al_status_codes(context, codes),
             sync_managers: sync_managers(context, managers),
             mailbox: mailbox.map(|mailbox| services(context, mailbox)).unwrap_or_default(),
+            timeouts: timeouts.map(|timeouts| waits(context, timeouts)).unwrap_or_default(),
         };
-        let tables =
-            [&view.states, &view.transitions, &view.al_status_codes, &view.sync_managers, &view.mailbox];
+        let View { states, transitions, al_status_codes, sync_managers, mailbox, timeouts } = &view;
+        let tables = [states, transitions, al_status_codes, sync_managers, mailbox, timeouts];
         tables.iter().any(|table| !table.is_empty()).then_some(view)
     }
 }
@@ -91,22 +96,46 @@ fn al_status_codes(context: &Context<'_>, codes: &[AlStatusCode]) -> Table {
 }
 
 fn sync_managers(context: &Context<'_>, managers: &[SyncManager]) -> Table {
-    let titles =
-        ["SM", "Carries", "Address", "Size", "At most", "Control", "PDOs by default", "Slots", "Source"];
+    let titles = [
+        "SM",
+        "Carries",
+        "Address",
+        "Size",
+        "At least",
+        "At most",
+        "Control",
+        "On",
+        "PDOs by default",
+        "Slots",
+        "Source",
+    ];
     Table::of(titles, managers, |manager| {
-        let SyncManager { role, address, size, max_size, control, pdos, slots, source, origin } = manager;
+        let SyncManager { id: _, number, role, address, size, control, pdos, slots, source, origin, .. } =
+            manager;
+        let limit = |size: Option<u16>| size.map_or(String::new(), |size| bytes(size.into()));
         [
-            role.number().to_string(),
+            number.to_string(),
             carries(*role).into(),
             code(format!("0x{address:04X}")),
             bytes((*size).into()),
-            max_size.map_or(String::new(), |size| bytes(size.into())),
+            limit(manager.min_size),
+            limit(manager.max_size),
             code(format!("0x{control:02X}")),
+            on(manager).into(),
             list(pdos.iter().map(|pdo| context.index(*pdo))),
             if *slots == 0 { String::new() } else { slots.to_string() },
             context.said(source.as_ref(), origin),
         ]
     })
+}
+
+/// When a sync manager is on, if that is not always.
+fn on(manager: &SyncManager) -> &'static str {
+    match (manager.enable, manager.op_only) {
+        (false, _) => "no",
+        (true, true) => "in Operational only",
+        (true, false) => "",
+    }
 }
 
 fn carries(role: Role) -> &'static str {
@@ -119,8 +148,17 @@ fn carries(role: Role) -> &'static str {
 }
 
 fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {
-    let Mailbox { protocols, sdo_info, pdo_assign, pdo_config, complete_access, segmented, source, origin } =
-        mailbox;
+    let Mailbox {
+        protocols,
+        sdo_info,
+        pdo_assign,
+        pdo_config,
+        complete_access,
+        segmented,
+        source,
+        origin,
+        ..
+    } = mailbox;
     let answer = |yes: &bool| String::from(if *yes { "yes" } else { "no" });
     let rows = [
         ("Protocols", list(protocols.iter().map(|protocol| text(protocol.name())))),
@@ -130,6 +168,28 @@ fn services(context: &Context<'_>, mailbox: &Mailbox) -> Table {
         ("Complete access", answer(complete_access)),
         ("Segmented transfer", answer(segmented)),
     ];
+    let eoe = [("Setting the IP address", mailbox.eoe_ip), ("Setting the MAC address", mailbox.eoe_mac)];
+    let eoe = eoe.into_iter().filter_map(|(name, able)| Some((name, answer(&able?))));
+    let rows = rows.into_iter().chain(eoe);
     let source = context.said(source.as_ref(), origin);
     Table::of(["Mailbox", "Supported", "Source"], rows, |(name, value)| [name.into(), value, source.clone()])
+}
+
+/// How long a master waits, and for what.
+fn waits(context: &Context<'_>, timeouts: &Timeouts) -> Table {
+    let Timeouts { pre_op, safe_op_op, back_to_init, back_to_safe_op, request, response, source, origin } =
+        timeouts;
+    let rows = [
+        ("Pre-Operational", pre_op),
+        ("Safe-Operational and Operational", safe_op_op),
+        ("back to Init", back_to_init),
+        ("back to Safe-Operational", back_to_safe_op),
+        ("a request by mail to be read", request),
+        ("a request by mail to be answered", response),
+    ];
+    let rows = rows.into_iter().filter_map(|(what, time)| Some((what, time.as_ref()?.0)));
+    let source = context.said(source.as_ref(), origin);
+    Table::of(["A master waits for", "At most", "Source"], rows, |(what, time)| {
+        [what.into(), duration(time), source.clone()]
+    })
 }

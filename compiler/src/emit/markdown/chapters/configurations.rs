@@ -57,6 +57,7 @@ fn configuration(context: &Context<'_>, configuration: &Configuration) -> Config
     let Configuration {
         id,
         name,
+        default: _,
         mapping,
         about,
         source,
@@ -86,6 +87,7 @@ fn facts(context: &Context<'_>, configuration: &Configuration) -> Vec<String> {
         })
     };
     let facts = [
+        configuration.default.then(|| "The default of an ESI".to_owned()),
         configuration.mode.map(|mode| format!("Mode: {}", context.mode(mode))),
         configuration.cycle_time.map(|time| format!("Cycle time: {}", duration(time.0))),
         pdos("Outputs", &configuration.outputs),

@@ -116,13 +116,15 @@ fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {
 }
 
 fn identity(identity: &Identity) -> Table {
-    let Identity { vendor_id, product_code, revision, serial, source: _, origin: _ } = identity;
+    let Identity { vendor_id, product_code, revision, serial, replaces, source: _, origin: _ } = identity;
     let rows = [
         ("Vendor ID", vendor_id),
         ("Product code", product_code),
         ("Revision number", revision),
         ("Serial number", serial),
     ];
+    let replaces = replaces.iter().map(|revision| ("Replaces revision", revision));
+    let rows = rows.into_iter().chain(replaces);
     Table::of(["Identity", "Hexadecimal", "Decimal"], rows, |(name, value)| {
         [name.into(), code(format!("{value:#010X}").replace("0X", "0x")), code(value)]
     })

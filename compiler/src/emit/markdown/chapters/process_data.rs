@@ -95,8 +95,7 @@ fn overview(context: &Context<'_>, pdos: &[&Pdo]) -> Table {
 fn image(context: &Context<'_>, role: Role) -> Table {
     let mut table = Table::new(["Bytes", "PDO", "Name", "Axis"]);
     let mut offset = 0;
-    let assigned = context.device.sync_manager(role).into_iter().flat_map(|manager| &manager.pdos);
-    for pdo in assigned.filter_map(|index| context.device.pdo(*index)) {
+    for pdo in context.device.assigned(role) {
         let axis = pdo.axis.and_then(|axis| context.device.axes.get(usize::from(axis)));
         table.row([
             place(offset, pdo.bits()),
@@ -139,6 +138,7 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         excludes: _,
         about: _,
         source: _,
+        sync_unit,
         origin: _,
     } = pdo;
     let assigned = context.device.sync_managers.iter().any(|manager| manager.pdos.contains(index));
@@ -151,6 +151,7 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         max_bytes.map(|most| format!("can be mapped up to {}", bytes(most.into()))),
         max_entries.map(|most| format!("up to {most} entries")),
         mode.map(|mode| format!("for mode {}", context.mode(mode))),
+        sync_unit.as_deref().map(|unit| format!("sync unit {}", text(unit))),
         claimed.map(|total| format!("the manual gives {}", bytes(total.into()))),
     ];
     facts.into_iter().flatten().collect()

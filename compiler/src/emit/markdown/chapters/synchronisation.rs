@@ -63,13 +63,18 @@ fn name(mode: &SyncMode) -> String {
 }
 
 fn signal(signal: &SyncSignal) -> String {
-    let period = match signal.cycles {
-        0 | 1 => "every cycle".into(),
-        cycles if cycles < 0 => format!("{} times a cycle", cycles.unsigned_abs()),
-        cycles => format!("every {cycles} cycles"),
+    let SyncSignal { cycles, period, shift, shift_cycles, of_inputs } = signal;
+    let period = match (period, *cycles) {
+        (Some(period), _) => format!("every {}", duration(period.0)),
+        (None, 0 | 1) => "every cycle".into(),
+        (None, cycles) if cycles < 0 => format!("{} times a cycle", cycles.unsigned_abs()),
+        (None, cycles) => format!("every {cycles} cycles"),
     };
-    let shift = (signal.shift.0 > 0).then(|| format!("{} later", duration(signal.shift.0)));
-    list([period].into_iter().chain(shift))
+    let way = if shift.0 < 0 { "earlier" } else { "later" };
+    let shift = (shift.0 != 0).then(|| format!("{} {way}", duration(shift.0.unsigned_abs())));
+    let cycles = shift_cycles.map(|cycles| format!("{cycles} cycles later"));
+    let counted = of_inputs.then(|| "counted from the inputs".into());
+    list([period].into_iter().chain(shift).chain(cycles).chain(counted))
 }
 
 fn cycle_times(context: &Context<'_>, times: &[CycleTime]) -> Table {

@@ -99,7 +99,6 @@ fn answer(yes: bool) -> String {
 /// The PDOs that a sync manager has at start-up, with the bytes that they make.
 fn assigned(device: &Device, role: Role) -> String {
     let context = Context::new(device, &[], false);
-    let pdos = device.sync_manager(role).map_or(&[][..], |manager| &manager.pdos);
-    let pdos = list(pdos.iter().map(|pdo| context.index(*pdo)));
+    let pdos = list(device.assigned(role).map(|pdo| context.index(pdo.index)));
     format!("{}: {pdos}", bytes(device.image_bytes(role)))
 }

@@ -103,6 +103,8 @@ struct Facts<'a> {
     note: Option<&'a str>,
     functional: bool,
     parameter: Option<&'a str>,
+    backup: bool,
+    setting: bool,
 }
 
 impl<'a> Facts<'a> {
@@ -131,6 +133,8 @@ impl<'a> Facts<'a> {
             note: note.as_deref(),
             functional: *functional,
             parameter: parameter.as_deref(),
+            backup: false,
+            setting: false,
         }
     }
 
@@ -141,6 +145,8 @@ impl<'a> Facts<'a> {
             note,
             functional,
             parameter,
+            backup,
+            setting,
             address: _,
             id: _,
             name: _,
@@ -164,6 +170,8 @@ impl<'a> Facts<'a> {
             note: note.as_deref(),
             functional: *functional,
             parameter: parameter.as_deref(),
+            backup: *backup,
+            setting: *setting,
         }
     }
 
@@ -175,7 +183,9 @@ impl<'a> Facts<'a> {
         let note = self.note.map(|note| marked("note", note));
         let parameter =
             self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
-        [functional, about, note, parameter].into_iter().flatten().collect()
+        let backup = self.backup.then(|| "A backup of the device holds it.".into());
+        let setting = self.setting.then(|| "It is one of the settings of an application.".into());
+        [functional, about, note, parameter, backup, setting].into_iter().flatten().collect()
     }
 }
 

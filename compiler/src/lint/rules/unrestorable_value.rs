@@ -1,0 +1,41 @@
+use crate::diagnostic::{Diagnostic, rule};
+use crate::lint::{Report, lookup};
+use crate::model::Device;
+
+rule! {
+    /// A tool writes backups and settings back (ETG.1000.6). What cannot be written is neither.
+    ///
+    /// ## Fires
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Hours"
+    /// type = "UINT32"
+    /// access = "ro"
+    /// backup = true
+    /// ```
+    ///
+    /// ## Silent
+    /// ```toml
+    /// [objects.0x2000]
+    /// name = "Gain"
+    /// type = "UINT32"
+    /// access = "rw"
+    /// backup = true
+    /// ```
+    pub(super) static RULE = "unrestorable-value", Dictionary, Warning,
+        "a backup holds what cannot be written";
+}
+
+pub(super) fn check(device: &Device, report: &mut Report) {
+    for (object, entry) in lookup::entries(device) {
+        let keys = [("backup", entry.backup), ("setting", entry.setting)];
+        let said = keys.into_iter().find(|(key, says)| *says && !lookup::is_shared(object, entry, key));
+        if let Some((key, _)) = said.filter(|_| !entry.access.writable()) {
+            let message = format!("{} is a `{key}`, but it cannot be written", entry.address);
+            let diagnostic =
+                Diagnostic::new(&RULE, message, entry.origin.value(key), "written back by tools")
+                    .label(entry.origin.value("access"), "read only");
+            report.push(lookup::name(object, entry), diagnostic);
+        }
+    }
+}
