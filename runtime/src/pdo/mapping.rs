@@ -82,6 +82,11 @@ impl Mapping {
         Self { address: Address::new(0, 0), bits }
     }
 
+    /// Whether it is a gap.
+    pub const fn is_gap(self) -> bool {
+        self.address.index == 0 && self.address.subindex == 0
+    }
+
     /// Index, subindex and length in one number, the value of the mapping object's subindex.
     pub const fn word(self) -> u32 {
         let [high, low] = self.address.index.to_be_bytes();
