@@ -158,11 +158,107 @@ pub mod s300 {
         pub mod rx_pdo_1600 {
             use super::*;
 
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1600:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadWrite> = Entry::new(0x1600, 0);
 
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60400010.
             pub const ENTRY_1: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 1);
+
+            /// `0x1600:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 2);
+
+            /// `0x1600:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 3);
+
+            /// `0x1600:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 4);
+
+            /// `0x1600:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 5);
+
+            /// `0x1600:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 6);
+
+            /// `0x1600:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 7);
+
+            /// `0x1600:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 8);
+
+            /// `0x1600:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 9);
+
+            /// `0x1600:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 10);
+
+            /// `0x1600:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 11);
+
+            /// `0x1600:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 12);
+
+            /// `0x1600:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 13);
+
+            /// `0x1600:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 14);
+
+            /// `0x1600:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 15);
+
+            /// `0x1600:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 16);
+
+            /// `0x1600:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 17);
+
+            /// `0x1600:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 18);
+
+            /// `0x1600:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 19);
+
+            /// `0x1600:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 20);
+
+            /// `0x1600:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 21);
+
+            /// `0x1600:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 22);
+
+            /// `0x1600:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 23);
+
+            /// `0x1600:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 24);
+
+            /// `0x1600:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 25);
+
+            /// `0x1600:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 26);
+
+            /// `0x1600:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 27);
+
+            /// `0x1600:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 28);
+
+            /// `0x1600:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 29);
+
+            /// `0x1600:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 30);
+
+            /// `0x1600:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_31: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 31);
+
+            /// `0x1600:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_32: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 32);
+
+            /// `0x1600:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_33: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 33);
         }
 
         /// `0x1701` Position interface.
@@ -487,11 +583,284 @@ pub mod s300 {
         pub mod tx_pdo_1a00 {
             use super::*;
 
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1A00:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadWrite> = Entry::new(0x1A00, 0);
 
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60410010.
             pub const ENTRY_1: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 1);
+
+            /// `0x1A00:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 2);
+
+            /// `0x1A00:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 3);
+
+            /// `0x1A00:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 4);
+
+            /// `0x1A00:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 5);
+
+            /// `0x1A00:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 6);
+
+            /// `0x1A00:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 7);
+
+            /// `0x1A00:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 8);
+
+            /// `0x1A00:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 9);
+
+            /// `0x1A00:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 10);
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 11);
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 12);
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 13);
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 14);
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 15);
+
+            /// `0x1A00:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 16);
+
+            /// `0x1A00:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 17);
+
+            /// `0x1A00:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 18);
+
+            /// `0x1A00:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 19);
+
+            /// `0x1A00:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 20);
+
+            /// `0x1A00:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 21);
+
+            /// `0x1A00:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 22);
+
+            /// `0x1A00:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 23);
+
+            /// `0x1A00:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 24);
+
+            /// `0x1A00:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 25);
+
+            /// `0x1A00:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 26);
+
+            /// `0x1A00:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 27);
+
+            /// `0x1A00:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 28);
+
+            /// `0x1A00:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 29);
+
+            /// `0x1A00:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 30);
+
+            /// `0x1A00:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_31: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 31);
+
+            /// `0x1A00:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_32: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 32);
+
+            /// `0x1A00:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_33: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 33);
+
+            /// `0x1A00:22` SubIndex 034. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_34: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 34);
+
+            /// `0x1A00:23` SubIndex 035. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_35: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 35);
+
+            /// `0x1A00:24` SubIndex 036. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_36: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 36);
+
+            /// `0x1A00:25` SubIndex 037. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_37: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 37);
+
+            /// `0x1A00:26` SubIndex 038. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_38: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 38);
+
+            /// `0x1A00:27` SubIndex 039. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_39: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 39);
+
+            /// `0x1A00:28` SubIndex 040. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_40: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 40);
+
+            /// `0x1A00:29` SubIndex 041. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_41: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 41);
+
+            /// `0x1A00:2A` SubIndex 042. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_42: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 42);
+
+            /// `0x1A00:2B` SubIndex 043. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_43: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 43);
+
+            /// `0x1A00:2C` SubIndex 044. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_44: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 44);
+
+            /// `0x1A00:2D` SubIndex 045. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_45: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 45);
+
+            /// `0x1A00:2E` SubIndex 046. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_46: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 46);
+
+            /// `0x1A00:2F` SubIndex 047. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_47: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 47);
+
+            /// `0x1A00:30` SubIndex 048. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_48: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 48);
+
+            /// `0x1A00:31` SubIndex 049. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_49: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 49);
+
+            /// `0x1A00:32` SubIndex 050. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_50: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 50);
+
+            /// `0x1A00:33` SubIndex 051. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_51: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 51);
+
+            /// `0x1A00:34` SubIndex 052. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_52: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 52);
+
+            /// `0x1A00:35` SubIndex 053. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_53: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 53);
+
+            /// `0x1A00:36` SubIndex 054. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_54: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 54);
+
+            /// `0x1A00:37` SubIndex 055. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_55: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 55);
+
+            /// `0x1A00:38` SubIndex 056. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_56: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 56);
+
+            /// `0x1A00:39` SubIndex 057. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_57: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 57);
+
+            /// `0x1A00:3A` SubIndex 058. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_58: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 58);
+
+            /// `0x1A00:3B` SubIndex 059. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_59: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 59);
+
+            /// `0x1A00:3C` SubIndex 060. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_60: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 60);
+
+            /// `0x1A00:3D` SubIndex 061. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_61: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 61);
+
+            /// `0x1A00:3E` SubIndex 062. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_62: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 62);
+
+            /// `0x1A00:3F` SubIndex 063. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_63: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 63);
+
+            /// `0x1A00:40` SubIndex 064. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_64: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 64);
+
+            /// `0x1A00:41` SubIndex 065. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_65: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 65);
+
+            /// `0x1A00:42` SubIndex 066. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_66: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 66);
+
+            /// `0x1A00:43` SubIndex 067. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_67: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 67);
+
+            /// `0x1A00:44` SubIndex 068. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_68: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 68);
+
+            /// `0x1A00:45` SubIndex 069. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_69: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 69);
+
+            /// `0x1A00:46` SubIndex 070. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_70: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 70);
+
+            /// `0x1A00:47` SubIndex 071. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_71: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 71);
+
+            /// `0x1A00:48` SubIndex 072. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_72: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 72);
+
+            /// `0x1A00:49` SubIndex 073. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_73: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 73);
+
+            /// `0x1A00:4A` SubIndex 074. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_74: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 74);
+
+            /// `0x1A00:4B` SubIndex 075. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_75: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 75);
+
+            /// `0x1A00:4C` SubIndex 076. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_76: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 76);
+
+            /// `0x1A00:4D` SubIndex 077. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_77: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 77);
+
+            /// `0x1A00:4E` SubIndex 078. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_78: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 78);
+
+            /// `0x1A00:4F` SubIndex 079. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_79: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 79);
+
+            /// `0x1A00:50` SubIndex 080. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_80: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 80);
+
+            /// `0x1A00:51` SubIndex 081. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_81: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 81);
+
+            /// `0x1A00:52` SubIndex 082. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_82: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 82);
+
+            /// `0x1A00:53` SubIndex 083. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_83: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 83);
+
+            /// `0x1A00:54` SubIndex 084. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_84: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 84);
+
+            /// `0x1A00:55` SubIndex 085. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_85: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 85);
+
+            /// `0x1A00:56` SubIndex 086. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_86: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 86);
+
+            /// `0x1A00:57` SubIndex 087. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_87: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 87);
+
+            /// `0x1A00:58` SubIndex 088. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_88: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 88);
+
+            /// `0x1A00:59` SubIndex 089. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_89: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 89);
+
+            /// `0x1A00:5A` SubIndex 090. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_90: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 90);
+
+            /// `0x1A00:5B` SubIndex 091. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_91: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 91);
+
+            /// `0x1A00:5C` SubIndex 092. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_92: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 92);
         }
 
         /// `0x1B01` Position, velocity interface.
@@ -4642,13 +5011,21 @@ pub mod s300 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1600` Free mapping.
-            pub rx_pdo_1600: RxPdo1600,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub rx_pdo_1600: sdo::List<u32, 33>,
             /// `0x1A00` Free mapping.
-            pub tx_pdo_1a00: TxPdo1a00,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub tx_pdo_1a00: sdo::List<u32, 92>,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -4856,16 +5233,24 @@ pub mod s300 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                rx_pdo_1600: RxPdo1600 { highest_subindex_supported: 1, entry_1: 0x6040_0010 },
-                tx_pdo_1a00: TxPdo1a00 { highest_subindex_supported: 1, entry_1: 0x6041_0010 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1702,
+                rx_pdo_1600: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
                 },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
+                tx_pdo_1a00: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
                 },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1702] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -4973,42 +5358,6 @@ pub mod s300 {
             pub serial_number: u32,
         }
 
-        /// `0x1600` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct RxPdo1600 {
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1A00` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct TxPdo1a00 {
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -5083,6 +5432,12 @@ pub mod s300 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S300 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S300 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[(0x1600, 64), (0x1A00, 64)],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -5094,10 +5449,22 @@ pub mod s300 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.rx_pdo_1600.slot(place.item),
-                    9 => self.tx_pdo_1a00.slot(place.item),
-                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    10 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    11 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     12 => self.sm_output_parameter.slot(place.item),
                     13 => self.sm_input_parameter.slot(place.item),
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -5164,46 +5531,6 @@ pub mod s300 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl RxPdo1600 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl TxPdo1a00 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -5381,7 +5708,7 @@ pub mod s300 {
                 ObjectCode::Record,
                 0,
                 8,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<34>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -5472,7 +5799,7 @@ pub mod s300 {
                 ObjectCode::Record,
                 0,
                 9,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<93>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -5554,20 +5881,14 @@ pub mod s300 {
                     ObjectCode::Array,
                     0,
                     10,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     11,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
@@ -9372,9 +9693,13 @@ pub mod s400 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -9582,14 +9907,8 @@ pub mod s400 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1701,
-                },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
-                },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1701] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -9697,24 +10016,6 @@ pub mod s400 {
             pub serial_number: u32,
         }
 
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -9789,6 +10090,12 @@ pub mod s400 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S400 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S400 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -9800,8 +10107,14 @@ pub mod s400 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     10 => self.sm_output_parameter.slot(place.item),
                     11 => self.sm_input_parameter.slot(place.item),
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -9868,26 +10181,6 @@ pub mod s400 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -10150,20 +10443,14 @@ pub mod s400 {
                     ObjectCode::Array,
                     0,
                     8,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     9,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
@@ -13968,9 +14255,13 @@ pub mod s600 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -14178,14 +14469,8 @@ pub mod s600 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1701,
-                },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
-                },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1701] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -14293,24 +14578,6 @@ pub mod s600 {
             pub serial_number: u32,
         }
 
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -14385,6 +14652,12 @@ pub mod s600 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S600 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S600 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -14396,8 +14669,14 @@ pub mod s600 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     10 => self.sm_output_parameter.slot(place.item),
                     11 => self.sm_input_parameter.slot(place.item),
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -14464,26 +14743,6 @@ pub mod s600 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -14746,20 +15005,14 @@ pub mod s600 {
                     ObjectCode::Array,
                     0,
                     8,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     9,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
@@ -15146,11 +15399,107 @@ pub mod s700 {
         pub mod rx_pdo_1600 {
             use super::*;
 
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1600:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadWrite> = Entry::new(0x1600, 0);
 
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60400010.
             pub const ENTRY_1: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 1);
+
+            /// `0x1600:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 2);
+
+            /// `0x1600:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 3);
+
+            /// `0x1600:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 4);
+
+            /// `0x1600:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 5);
+
+            /// `0x1600:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 6);
+
+            /// `0x1600:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 7);
+
+            /// `0x1600:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 8);
+
+            /// `0x1600:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 9);
+
+            /// `0x1600:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 10);
+
+            /// `0x1600:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 11);
+
+            /// `0x1600:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 12);
+
+            /// `0x1600:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 13);
+
+            /// `0x1600:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 14);
+
+            /// `0x1600:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 15);
+
+            /// `0x1600:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 16);
+
+            /// `0x1600:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 17);
+
+            /// `0x1600:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 18);
+
+            /// `0x1600:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 19);
+
+            /// `0x1600:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 20);
+
+            /// `0x1600:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 21);
+
+            /// `0x1600:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 22);
+
+            /// `0x1600:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 23);
+
+            /// `0x1600:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 24);
+
+            /// `0x1600:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 25);
+
+            /// `0x1600:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 26);
+
+            /// `0x1600:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 27);
+
+            /// `0x1600:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 28);
+
+            /// `0x1600:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 29);
+
+            /// `0x1600:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 30);
+
+            /// `0x1600:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_31: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 31);
+
+            /// `0x1600:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_32: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 32);
+
+            /// `0x1600:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_33: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 33);
         }
 
         /// `0x1701` Position interface.
@@ -15475,11 +15824,284 @@ pub mod s700 {
         pub mod tx_pdo_1a00 {
             use super::*;
 
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1A00:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadWrite> = Entry::new(0x1A00, 0);
 
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60410010.
             pub const ENTRY_1: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 1);
+
+            /// `0x1A00:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 2);
+
+            /// `0x1A00:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 3);
+
+            /// `0x1A00:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 4);
+
+            /// `0x1A00:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 5);
+
+            /// `0x1A00:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 6);
+
+            /// `0x1A00:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 7);
+
+            /// `0x1A00:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 8);
+
+            /// `0x1A00:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 9);
+
+            /// `0x1A00:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 10);
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 11);
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 12);
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 13);
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 14);
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 15);
+
+            /// `0x1A00:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 16);
+
+            /// `0x1A00:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 17);
+
+            /// `0x1A00:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 18);
+
+            /// `0x1A00:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 19);
+
+            /// `0x1A00:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 20);
+
+            /// `0x1A00:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 21);
+
+            /// `0x1A00:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 22);
+
+            /// `0x1A00:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 23);
+
+            /// `0x1A00:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 24);
+
+            /// `0x1A00:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 25);
+
+            /// `0x1A00:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 26);
+
+            /// `0x1A00:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 27);
+
+            /// `0x1A00:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 28);
+
+            /// `0x1A00:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 29);
+
+            /// `0x1A00:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 30);
+
+            /// `0x1A00:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_31: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 31);
+
+            /// `0x1A00:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_32: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 32);
+
+            /// `0x1A00:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_33: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 33);
+
+            /// `0x1A00:22` SubIndex 034. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_34: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 34);
+
+            /// `0x1A00:23` SubIndex 035. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_35: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 35);
+
+            /// `0x1A00:24` SubIndex 036. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_36: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 36);
+
+            /// `0x1A00:25` SubIndex 037. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_37: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 37);
+
+            /// `0x1A00:26` SubIndex 038. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_38: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 38);
+
+            /// `0x1A00:27` SubIndex 039. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_39: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 39);
+
+            /// `0x1A00:28` SubIndex 040. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_40: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 40);
+
+            /// `0x1A00:29` SubIndex 041. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_41: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 41);
+
+            /// `0x1A00:2A` SubIndex 042. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_42: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 42);
+
+            /// `0x1A00:2B` SubIndex 043. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_43: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 43);
+
+            /// `0x1A00:2C` SubIndex 044. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_44: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 44);
+
+            /// `0x1A00:2D` SubIndex 045. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_45: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 45);
+
+            /// `0x1A00:2E` SubIndex 046. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_46: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 46);
+
+            /// `0x1A00:2F` SubIndex 047. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_47: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 47);
+
+            /// `0x1A00:30` SubIndex 048. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_48: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 48);
+
+            /// `0x1A00:31` SubIndex 049. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_49: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 49);
+
+            /// `0x1A00:32` SubIndex 050. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_50: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 50);
+
+            /// `0x1A00:33` SubIndex 051. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_51: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 51);
+
+            /// `0x1A00:34` SubIndex 052. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_52: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 52);
+
+            /// `0x1A00:35` SubIndex 053. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_53: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 53);
+
+            /// `0x1A00:36` SubIndex 054. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_54: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 54);
+
+            /// `0x1A00:37` SubIndex 055. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_55: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 55);
+
+            /// `0x1A00:38` SubIndex 056. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_56: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 56);
+
+            /// `0x1A00:39` SubIndex 057. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_57: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 57);
+
+            /// `0x1A00:3A` SubIndex 058. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_58: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 58);
+
+            /// `0x1A00:3B` SubIndex 059. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_59: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 59);
+
+            /// `0x1A00:3C` SubIndex 060. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_60: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 60);
+
+            /// `0x1A00:3D` SubIndex 061. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_61: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 61);
+
+            /// `0x1A00:3E` SubIndex 062. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_62: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 62);
+
+            /// `0x1A00:3F` SubIndex 063. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_63: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 63);
+
+            /// `0x1A00:40` SubIndex 064. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_64: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 64);
+
+            /// `0x1A00:41` SubIndex 065. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_65: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 65);
+
+            /// `0x1A00:42` SubIndex 066. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_66: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 66);
+
+            /// `0x1A00:43` SubIndex 067. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_67: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 67);
+
+            /// `0x1A00:44` SubIndex 068. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_68: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 68);
+
+            /// `0x1A00:45` SubIndex 069. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_69: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 69);
+
+            /// `0x1A00:46` SubIndex 070. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_70: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 70);
+
+            /// `0x1A00:47` SubIndex 071. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_71: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 71);
+
+            /// `0x1A00:48` SubIndex 072. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_72: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 72);
+
+            /// `0x1A00:49` SubIndex 073. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_73: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 73);
+
+            /// `0x1A00:4A` SubIndex 074. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_74: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 74);
+
+            /// `0x1A00:4B` SubIndex 075. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_75: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 75);
+
+            /// `0x1A00:4C` SubIndex 076. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_76: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 76);
+
+            /// `0x1A00:4D` SubIndex 077. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_77: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 77);
+
+            /// `0x1A00:4E` SubIndex 078. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_78: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 78);
+
+            /// `0x1A00:4F` SubIndex 079. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_79: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 79);
+
+            /// `0x1A00:50` SubIndex 080. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_80: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 80);
+
+            /// `0x1A00:51` SubIndex 081. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_81: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 81);
+
+            /// `0x1A00:52` SubIndex 082. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_82: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 82);
+
+            /// `0x1A00:53` SubIndex 083. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_83: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 83);
+
+            /// `0x1A00:54` SubIndex 084. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_84: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 84);
+
+            /// `0x1A00:55` SubIndex 085. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_85: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 85);
+
+            /// `0x1A00:56` SubIndex 086. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_86: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 86);
+
+            /// `0x1A00:57` SubIndex 087. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_87: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 87);
+
+            /// `0x1A00:58` SubIndex 088. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_88: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 88);
+
+            /// `0x1A00:59` SubIndex 089. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_89: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 89);
+
+            /// `0x1A00:5A` SubIndex 090. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_90: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 90);
+
+            /// `0x1A00:5B` SubIndex 091. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_91: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 91);
+
+            /// `0x1A00:5C` SubIndex 092. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_92: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 92);
         }
 
         /// `0x1B01` Position, velocity interface.
@@ -19640,13 +20262,21 @@ pub mod s700 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1600` Free mapping.
-            pub rx_pdo_1600: RxPdo1600,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub rx_pdo_1600: sdo::List<u32, 33>,
             /// `0x1A00` Free mapping.
-            pub tx_pdo_1a00: TxPdo1a00,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub tx_pdo_1a00: sdo::List<u32, 92>,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -19854,16 +20484,24 @@ pub mod s700 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                rx_pdo_1600: RxPdo1600 { highest_subindex_supported: 1, entry_1: 0x6040_0010 },
-                tx_pdo_1a00: TxPdo1a00 { highest_subindex_supported: 1, entry_1: 0x6041_0010 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1702,
+                rx_pdo_1600: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
                 },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
+                tx_pdo_1a00: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
                 },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1702] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -19971,42 +20609,6 @@ pub mod s700 {
             pub serial_number: u32,
         }
 
-        /// `0x1600` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct RxPdo1600 {
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1A00` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct TxPdo1a00 {
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -20081,6 +20683,12 @@ pub mod s700 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S700 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S700 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[(0x1600, 64), (0x1A00, 64)],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -20092,10 +20700,22 @@ pub mod s700 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.rx_pdo_1600.slot(place.item),
-                    9 => self.tx_pdo_1a00.slot(place.item),
-                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    10 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    11 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     12 => self.sm_output_parameter.slot(place.item),
                     13 => self.sm_input_parameter.slot(place.item),
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -20162,46 +20782,6 @@ pub mod s700 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl RxPdo1600 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl TxPdo1a00 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -20379,7 +20959,7 @@ pub mod s700 {
                 ObjectCode::Record,
                 0,
                 8,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<34>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -20470,7 +21050,7 @@ pub mod s700 {
                 ObjectCode::Record,
                 0,
                 9,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<93>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -20552,20 +21132,14 @@ pub mod s700 {
                     ObjectCode::Array,
                     0,
                     10,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     11,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(

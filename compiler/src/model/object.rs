@@ -1,7 +1,7 @@
 //! The object dictionary.
 
 use super::table::part;
-use super::{Address, DataType, Index, Meanings, Source, Value, model};
+use super::{Address, DataType, Direction, Index, Meanings, Source, Value, model};
 use crate::source::Origin;
 
 model! {
@@ -230,5 +230,13 @@ impl Mappable {
     /// Whether it can be in what the device sends.
     pub fn tx(self) -> bool {
         matches!(self, Self::Tx | Self::RxTx)
+    }
+
+    /// Whether it can be in PDOs of this direction.
+    pub fn goes(self, direction: Direction) -> bool {
+        match direction {
+            Direction::Rx => self.rx(),
+            Direction::Tx => self.tx(),
+        }
     }
 }

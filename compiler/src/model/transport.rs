@@ -1,7 +1,7 @@
 //! What carries data between master and device.
 
 use super::table::{part, table};
-use super::{Hex, Index, Source, model};
+use super::{Direction, Hex, Index, Source, model};
 use crate::source::Origin;
 
 model! {
@@ -123,6 +123,14 @@ impl Eeprom {
 impl Role {
     /// All of them, by number.
     pub const ALL: [Self; 4] = [Self::MailboxOut, Self::MailboxIn, Self::Outputs, Self::Inputs];
+
+    /// That of the process data of a direction.
+    pub fn of(direction: Direction) -> Self {
+        match direction {
+            Direction::Rx => Self::Outputs,
+            Direction::Tx => Self::Inputs,
+        }
+    }
 
     /// The number of the sync manager.
     pub fn number(self) -> u8 {

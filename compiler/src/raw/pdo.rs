@@ -31,7 +31,8 @@ raw! {
         pub total: Option<u16>,
         /// The largest number of bytes it can be mapped to, for a free mapping.
         pub max_bytes: Option<u16>,
-        /// The largest number of entries it can be mapped to, for a free mapping.
+        /// The largest number of entries it can be mapped to, for a free mapping: the subindices of its mapping object.
+        /// If absent, everything that can be mapped once, as far as `max-bytes` go.
         pub max_entries: Option<u8>,
         /// What it is for.
         pub about: Option<String>,

@@ -4,6 +4,7 @@
 //! cannot hold is reported here.
 
 mod axes;
+mod capacity;
 mod configurations;
 mod context;
 mod coordinates;

@@ -85,11 +85,8 @@ fn defaults_are_those_of_the_manual() {
     assert_eq!(i64::from(device.identity_object.vendor_id), printed(0x1018, 1));
     assert_eq!(i64::from(device.identity_object.serial_number), printed(0x1018, 4));
     assert_eq!(device.manufacturer_device_name, "C-887 EtherCAT");
-    assert_eq!(i64::from(device.sync_manager_2_pdo_assignment.entry_6), printed(0x1C12, 6));
-    assert_eq!(
-        i64::from(device.sync_manager_2_pdo_assignment.highest_subindex_supported),
-        printed(0x1C12, 0)
-    );
+    assert_eq!(i64::from(device.sync_manager_2_pdo_assignment.items[5]), printed(0x1C12, 6));
+    assert_eq!(i64::from(device.sync_manager_2_pdo_assignment.count), printed(0x1C12, 0));
     // An erratum answers the printed 2: entries 1 to 4 are listed.
     assert_eq!(device.buffered_parameters.highest_subindex_supported, 4);
     for (axis, shift) in device.axes.iter().zip((0_u16..).step_by(0x800)) {
