@@ -40,6 +40,11 @@ impl MappedPdo {
         Self { index, mapping, is_own: false }
     }
 
+    /// A PDO as a master has to map it.
+    pub const fn own(index: u16, mapping: &'static [Mapping]) -> Self {
+        Self { index, mapping, is_own: true }
+    }
+
     /// The PDO of an axis, by number; refuses an axis that has none, so it is for constants.
     #[track_caller]
     pub const fn of_axis<P: Pdo>(axis: u8) -> Self {
