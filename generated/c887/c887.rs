@@ -2397,7 +2397,8 @@ impl BringUp for C887 {
     ];
 }
 
-/// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+/// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+/// then.
 pub mod configurations {
     use super::*;
 

@@ -3203,7 +3203,8 @@ pub mod double {
         ];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -3236,10 +3237,467 @@ pub mod double {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
         ];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in deg × 45 ÷ 131072.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Double, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x60C1, 0x800), 1), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in deg × 45 ÷ 131072.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Double, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6064, 0x800), 0), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            RxPdo1600::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Double, Rx, 14);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 14;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            TxPdo1A00::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Double, Tx, 14);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 14;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Double, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6042, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Double, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6044, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4]),
+                            RxPdo1600::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Double, Rx, 10);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 10;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4]),
+                            TxPdo1A00::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Double, Tx, 10);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 10;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -8763,7 +9221,8 @@ pub mod single {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -8791,7 +9250,372 @@ pub mod single {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in deg × 45 ÷ 131072.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Single, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x60C1, 1), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in deg × 45 ÷ 131072.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Single, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6064, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Single, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 7;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Single, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 7;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Single, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6042, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Single, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6044, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Single, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 5;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Single, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 5;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -14704,7 +15528,8 @@ pub mod double_hires {
         ];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -14737,10 +15562,467 @@ pub mod double_hires {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
         ];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in user unit / 10^I06.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: DoubleHires, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x60C1, 0x800), 1), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in user unit / 10^I06.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: DoubleHires, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6064, 0x800), 0), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            RxPdo1600::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: DoubleHires, Rx, 14);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 14;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            TxPdo1A00::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: DoubleHires, Tx, 14);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 14;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: DoubleHires, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6042, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: DoubleHires, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6044, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4]),
+                            RxPdo1600::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: DoubleHires, Rx, 10);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 10;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4]),
+                            TxPdo1A00::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: DoubleHires, Tx, 10);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 10;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -20159,7 +21441,8 @@ pub mod single_hires {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -20187,7 +21470,372 @@ pub mod single_hires {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in user unit / 10^I06.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: SingleHires, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x60C1, 1), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in user unit / 10^I06.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: SingleHires, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6064, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: SingleHires, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 7;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: SingleHires, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 7;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: SingleHires, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6042, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: SingleHires, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6044, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: SingleHires, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 5;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: SingleHires, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 5;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.

@@ -253,12 +253,6 @@ pub mod s300 {
 
             /// `0x1600:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
             pub const ENTRY_31: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 31);
-
-            /// `0x1600:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_32: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 32);
-
-            /// `0x1600:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_33: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 33);
         }
 
         /// `0x1701` Position interface.
@@ -1914,11 +1908,11 @@ pub mod s300 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -4488,7 +4482,8 @@ pub mod s300 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -4534,6 +4529,216 @@ pub mod s300 {
             Write::new(Address::new(0x60C2, 1), &[0x02], "interpolation time period"),
             Write::new(Address::new(0x60C2, 2), &[0xFD], "its power of ten in seconds"),
         ];
+
+        /// Process data of the choice “Fixed mapping 0x1701”.
+        pub mod position {
+            use super::*;
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Position interface.
+                pub rx_pdo_1701: RxPdo1701,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1701.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1701: RxPdo1701::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S300, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+            }
+
+            /// As by default.
+            pub type Inputs = super::super::Inputs;
+        }
+
+        /// Process data of the choice “Free mapping of set and actual position”.
+        pub mod free_mapping {
+            use super::*;
+
+            /// `0x1600` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Controlword.
+                pub controlword: Controlword,
+                /// `0x60C1:00` Position setpoint, in increments.
+                pub position_setpoint: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_setpoint.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        position_setpoint: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: S300, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 6;
+                controlword, set_controlword: Controlword => 0, 16;
+                position_setpoint, set_position_setpoint: i32 => 16, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x60C1, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6063:00` Position actual value 1, in increments.
+                pub position_actual_value_1: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_actual_value_1.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        position_actual_value_1: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: S300, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 6;
+                statusword, set_statusword: Statusword => 0, 16;
+                position_actual_value_1, set_position_actual_value_1: i32 => 16, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6063, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Free mapping.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S300, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Free mapping.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: S300, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 6;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -5013,7 +5218,7 @@ pub mod s300 {
             /// `0x1600` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
-            pub rx_pdo_1600: sdo::List<u32, 33>,
+            pub rx_pdo_1600: sdo::List<u32, 31>,
             /// `0x1A00` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
@@ -5237,7 +5442,7 @@ pub mod s300 {
                     count: 1,
                     items: [
                         0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0,
                     ],
                 },
                 tx_pdo_1a00: sdo::List {
@@ -5423,9 +5628,9 @@ pub mod s300 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -5708,7 +5913,7 @@ pub mod s300 {
                 ObjectCode::Record,
                 0,
                 8,
-                &const { EntryInfo::counted::<34>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
+                &const { EntryInfo::counted::<32>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -6097,8 +6302,8 @@ pub mod s300 {
                     60,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     504,
                 ),
@@ -6193,15 +6398,15 @@ pub mod s400 {
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S400, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro (3.5, 3.8, 3.9).
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly> = Entry::new(0x1001, 0);
 
-        /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
+        /// `0x1002:00` Motion task status value. INT32, ro (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S400, i32, ReadOnly> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
@@ -6736,10 +6941,10 @@ pub mod s400 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S400, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -6815,10 +7020,10 @@ pub mod s400 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S400, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
@@ -7294,23 +7499,23 @@ pub mod s400 {
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S400, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro (3.5, 3.8, 3.9).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly> = Entry::new(0x6061, 0);
 
-        /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
+        /// `0x6062:00` Actual position set point. INT32, ro, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S400, i32, ReadOnly> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -7319,15 +7524,15 @@ pub mod s400 {
         /// Updated in each bus cycle. Recorded as PFB.
         pub const POSITION_ACTUAL_VALUE_1: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
-        /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
+        /// `0x6064:00` Actual position value. INT32, ro (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S400, i32, ReadOnly> = Entry::new(0x6064, 0);
 
-        /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
+        /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly, Tx, AngularVelocity> =
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly, Unmapped, AngularVelocity> =
             Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -7346,33 +7551,33 @@ pub mod s400 {
         pub const CURRENT_ACTUAL_VALUE: Entry<S400, i16, ReadOnly, Tx, Scale> =
             Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
+        /// `0x607A:00` Motion task target position. INT32, rw (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S400, i32, ReadWrite> = Entry::new(0x607A, 0);
 
-        /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
+        /// `0x6081:00` Motion task target velocity. INT32, rw (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S400, i32, ReadWrite> = Entry::new(0x6081, 0);
 
-        /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
+        /// `0x6083:00` Motion task acceleration. INT32, rw (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S400, i32, ReadWrite> = Entry::new(0x6083, 0);
 
-        /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
+        /// `0x6084:00` Motion task deceleration. INT32, rw (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S400, i32, ReadWrite> = Entry::new(0x6084, 0);
 
-        /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
+        /// `0x6086:00` Motion task profile number. INT32, rw (3.7.1).
         ///
         /// The profile that a table motion task follows.
         ///
         /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
         /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S400, i32, ReadWrite> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -7394,11 +7599,11 @@ pub mod s400 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -7408,20 +7613,20 @@ pub mod s400 {
         /// Updated in each bus cycle. Recorded as PE.
         pub const INTERNAL_FOLLOWING_ERROR: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
-        /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
+        /// `0x60FC:00` Actual position set point. INT32, ro, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S400, i32, ReadOnly> = Entry::new(0x60FC, 0);
 
-        /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
+        /// `0x60FD:00` Digital I/O. INT16, ro (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
         ///
         /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
         /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
-        pub const DIGITAL_IO: Entry<S400, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S400, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
@@ -9202,7 +9407,8 @@ pub mod s400 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -9678,9 +9884,9 @@ pub mod s400 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
-            /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
+            /// `0x1002:00` Motion task status value. INT32, ro.
             pub motion_task_status: i32,
             /// `0x1003:00` Drive errors. INT32, ro, TxPDO.
             pub drive_errors: i32,
@@ -9849,31 +10055,31 @@ pub mod s400 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
-            /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
+            /// `0x6062:00` Actual position set point. INT32, ro, in increments.
             pub position_demand: i32,
             /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments.
             pub position_actual_value_1: i32,
-            /// `0x6064:00` Actual position value. INT32, ro, TxPDO.
+            /// `0x6064:00` Actual position value. INT32, ro.
             pub position_in_si_units: i32,
-            /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144.
+            /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144.
             pub velocity_actual_value: i32,
             /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_setpoint: i16,
             /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280.
             pub current_actual_value: i16,
-            /// `0x607A:00` Motion task target position. INT32, rw, RxPDO.
+            /// `0x607A:00` Motion task target position. INT32, rw.
             pub motion_task_target_position: i32,
-            /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO.
+            /// `0x6081:00` Motion task target velocity. INT32, rw.
             pub motion_task_target_velocity: i32,
-            /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO.
+            /// `0x6083:00` Motion task acceleration. INT32, rw.
             pub motion_task_acceleration: i32,
-            /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO.
+            /// `0x6084:00` Motion task deceleration. INT32, rw.
             pub motion_task_deceleration: i32,
-            /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO.
+            /// `0x6086:00` Motion task profile number. INT32, rw.
             pub motion_task_profile_number: i32,
             /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments.
             pub position_setpoint: i32,
@@ -9881,9 +10087,9 @@ pub mod s400 {
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments.
             pub internal_following_error: i32,
-            /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments.
+            /// `0x60FC:00` Actual position set point. INT32, ro, in increments.
             pub position_demand_internal_value: i32,
-            /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO.
+            /// `0x60FD:00` Digital I/O. INT16, ro.
             pub digital_io: DigitalIo,
             /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144.
             pub velocity_setpoint: i32,
@@ -10043,7 +10249,7 @@ pub mod s400 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -10074,16 +10280,16 @@ pub mod s400 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -10316,8 +10522,8 @@ pub mod s400 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
@@ -10471,7 +10677,7 @@ pub mod s400 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -10493,7 +10699,7 @@ pub mod s400 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -10639,19 +10845,19 @@ pub mod s400 {
             objects: &[
                 object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
                 object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
@@ -10659,14 +10865,14 @@ pub mod s400 {
                     58,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     280,
                 ),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO)], 0),
                 object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
@@ -10755,15 +10961,15 @@ pub mod s600 {
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S600, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro (3.5, 3.8, 3.9).
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly> = Entry::new(0x1001, 0);
 
-        /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
+        /// `0x1002:00` Motion task status value. INT32, ro (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S600, i32, ReadOnly> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
@@ -11298,10 +11504,10 @@ pub mod s600 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S600, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
@@ -11377,10 +11583,10 @@ pub mod s600 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S600, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
@@ -11856,23 +12062,23 @@ pub mod s600 {
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S600, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro (3.5, 3.8, 3.9).
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly> = Entry::new(0x6061, 0);
 
-        /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
+        /// `0x6062:00` Actual position set point. INT32, ro, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S600, i32, ReadOnly> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -11881,15 +12087,15 @@ pub mod s600 {
         /// Updated in each bus cycle. Recorded as PFB.
         pub const POSITION_ACTUAL_VALUE_1: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
-        /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
+        /// `0x6064:00` Actual position value. INT32, ro (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S600, i32, ReadOnly> = Entry::new(0x6064, 0);
 
-        /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
+        /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly, Tx, AngularVelocity> =
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly, Unmapped, AngularVelocity> =
             Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -11908,33 +12114,33 @@ pub mod s600 {
         pub const CURRENT_ACTUAL_VALUE: Entry<S600, i16, ReadOnly, Tx, Scale> =
             Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
+        /// `0x607A:00` Motion task target position. INT32, rw (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S600, i32, ReadWrite> = Entry::new(0x607A, 0);
 
-        /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
+        /// `0x6081:00` Motion task target velocity. INT32, rw (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S600, i32, ReadWrite> = Entry::new(0x6081, 0);
 
-        /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
+        /// `0x6083:00` Motion task acceleration. INT32, rw (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S600, i32, ReadWrite> = Entry::new(0x6083, 0);
 
-        /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
+        /// `0x6084:00` Motion task deceleration. INT32, rw (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S600, i32, ReadWrite> = Entry::new(0x6084, 0);
 
-        /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
+        /// `0x6086:00` Motion task profile number. INT32, rw (3.7.1).
         ///
         /// The profile that a table motion task follows.
         ///
         /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
         /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S600, i32, ReadWrite> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -11956,11 +12162,11 @@ pub mod s600 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -11970,20 +12176,20 @@ pub mod s600 {
         /// Updated in each bus cycle. Recorded as PE.
         pub const INTERNAL_FOLLOWING_ERROR: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
-        /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
+        /// `0x60FC:00` Actual position set point. INT32, ro, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S600, i32, ReadOnly> = Entry::new(0x60FC, 0);
 
-        /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
+        /// `0x60FD:00` Digital I/O. INT16, ro (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
         ///
         /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
         /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
-        pub const DIGITAL_IO: Entry<S600, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S600, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
@@ -13764,7 +13970,8 @@ pub mod s600 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -14240,9 +14447,9 @@ pub mod s600 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
-            /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
+            /// `0x1002:00` Motion task status value. INT32, ro.
             pub motion_task_status: i32,
             /// `0x1003:00` Drive errors. INT32, ro, TxPDO.
             pub drive_errors: i32,
@@ -14411,31 +14618,31 @@ pub mod s600 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
-            /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
+            /// `0x6062:00` Actual position set point. INT32, ro, in increments.
             pub position_demand: i32,
             /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments.
             pub position_actual_value_1: i32,
-            /// `0x6064:00` Actual position value. INT32, ro, TxPDO.
+            /// `0x6064:00` Actual position value. INT32, ro.
             pub position_in_si_units: i32,
-            /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144.
+            /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144.
             pub velocity_actual_value: i32,
             /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_setpoint: i16,
             /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280.
             pub current_actual_value: i16,
-            /// `0x607A:00` Motion task target position. INT32, rw, RxPDO.
+            /// `0x607A:00` Motion task target position. INT32, rw.
             pub motion_task_target_position: i32,
-            /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO.
+            /// `0x6081:00` Motion task target velocity. INT32, rw.
             pub motion_task_target_velocity: i32,
-            /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO.
+            /// `0x6083:00` Motion task acceleration. INT32, rw.
             pub motion_task_acceleration: i32,
-            /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO.
+            /// `0x6084:00` Motion task deceleration. INT32, rw.
             pub motion_task_deceleration: i32,
-            /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO.
+            /// `0x6086:00` Motion task profile number. INT32, rw.
             pub motion_task_profile_number: i32,
             /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments.
             pub position_setpoint: i32,
@@ -14443,9 +14650,9 @@ pub mod s600 {
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments.
             pub internal_following_error: i32,
-            /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments.
+            /// `0x60FC:00` Actual position set point. INT32, ro, in increments.
             pub position_demand_internal_value: i32,
-            /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO.
+            /// `0x60FD:00` Digital I/O. INT16, ro.
             pub digital_io: DigitalIo,
             /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144.
             pub velocity_setpoint: i32,
@@ -14605,7 +14812,7 @@ pub mod s600 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -14636,16 +14843,16 @@ pub mod s600 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -14878,8 +15085,8 @@ pub mod s600 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
@@ -15033,7 +15240,7 @@ pub mod s600 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -15055,7 +15262,7 @@ pub mod s600 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -15201,19 +15408,19 @@ pub mod s600 {
             objects: &[
                 object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
                 object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
@@ -15221,14 +15428,14 @@ pub mod s600 {
                     58,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     280,
                 ),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO)], 0),
                 object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
@@ -15494,12 +15701,6 @@ pub mod s700 {
 
             /// `0x1600:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
             pub const ENTRY_31: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 31);
-
-            /// `0x1600:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_32: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 32);
-
-            /// `0x1600:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_33: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 33);
         }
 
         /// `0x1701` Position interface.
@@ -17155,11 +17356,11 @@ pub mod s700 {
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -19739,7 +19940,8 @@ pub mod s700 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -19785,6 +19987,216 @@ pub mod s700 {
             Write::new(Address::new(0x60C2, 1), &[0x02], "interpolation time period"),
             Write::new(Address::new(0x60C2, 2), &[0xFD], "its power of ten in seconds"),
         ];
+
+        /// Process data of the choice “Fixed mapping 0x1701”.
+        pub mod position {
+            use super::*;
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Position interface.
+                pub rx_pdo_1701: RxPdo1701,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1701.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1701: RxPdo1701::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S700, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+            }
+
+            /// As by default.
+            pub type Inputs = super::super::Inputs;
+        }
+
+        /// Process data of the choice “Free mapping of set and actual position”.
+        pub mod free_mapping {
+            use super::*;
+
+            /// `0x1600` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Controlword.
+                pub controlword: Controlword,
+                /// `0x60C1:00` Position setpoint, in increments.
+                pub position_setpoint: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_setpoint.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        position_setpoint: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: S700, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 6;
+                controlword, set_controlword: Controlword => 0, 16;
+                position_setpoint, set_position_setpoint: i32 => 16, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x60C1, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6063:00` Position actual value 1, in increments.
+                pub position_actual_value_1: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_actual_value_1.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        position_actual_value_1: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: S700, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 6;
+                statusword, set_statusword: Statusword => 0, 16;
+                position_actual_value_1, set_position_actual_value_1: i32 => 16, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6063, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Free mapping.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S700, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Free mapping.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: S700, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 6;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -20264,7 +20676,7 @@ pub mod s700 {
             /// `0x1600` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
-            pub rx_pdo_1600: sdo::List<u32, 33>,
+            pub rx_pdo_1600: sdo::List<u32, 31>,
             /// `0x1A00` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
@@ -20488,7 +20900,7 @@ pub mod s700 {
                     count: 1,
                     items: [
                         0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0,
                     ],
                 },
                 tx_pdo_1a00: sdo::List {
@@ -20674,9 +21086,9 @@ pub mod s700 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
             pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -20959,7 +21371,7 @@ pub mod s700 {
                 ObjectCode::Record,
                 0,
                 8,
-                &const { EntryInfo::counted::<34>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
+                &const { EntryInfo::counted::<32>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -21348,8 +21760,8 @@ pub mod s700 {
                     60,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     504,
                 ),

@@ -44,7 +44,7 @@ mod word;
 
 pub use axis::{Area, Arrangement, Axis, Shift};
 pub use compare::{Compare, Difference, FieldPath, differences};
-pub use configuration::{Configuration, SdoWrite};
+pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
 pub use error::{ErrorCode, VendorCode};

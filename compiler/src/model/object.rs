@@ -222,6 +222,16 @@ impl Access {
 }
 
 impl Mappable {
+    /// What can be mapped to PDOs of these directions.
+    pub fn of(rx: bool, tx: bool) -> Self {
+        match (rx, tx) {
+            (false, false) => Self::None,
+            (true, false) => Self::Rx,
+            (false, true) => Self::Tx,
+            (true, true) => Self::RxTx,
+        }
+    }
+
     /// Whether it can be in what the master sends.
     pub fn rx(self) -> bool {
         matches!(self, Self::Rx | Self::RxTx)

@@ -28,7 +28,7 @@ mod unit;
 mod word;
 
 pub use axes::{RawAxes, RawShift};
-pub use configuration::RawConfiguration;
+pub use configuration::{RawConfiguration, RawWrite};
 pub use coordinates::{RawAxisGroup, RawCoordinates, RawGroup};
 pub use device::RawDevice;
 pub use fact::{RawAssumed, RawFacts, RawSource};

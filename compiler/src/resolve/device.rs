@@ -4,7 +4,9 @@ use super::context::Context;
 use super::derived::{self, Basis};
 use super::kept::{self, sorted};
 use super::names::Names;
-use super::{axes, configurations, coordinates, front, modes, objects, pdos, sync_managers, units, words};
+use super::{
+    axes, configurations, coordinates, front, mappability, modes, objects, pdos, sync_managers, units, words,
+};
 use crate::diagnostic::Diagnostics;
 use crate::model::{Arrangement, Device, Direction, Eeprom, Parameter, Pdo, Repeated, Tables, repetitions};
 use crate::raw::{RawAxes, RawDevice};
@@ -26,9 +28,10 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
     context.shifts = axes::shifts(context, raw.axes.as_ref());
 
     let (head, identity) = (raw.head?, raw.identity?);
-    let described = objects::objects(context, raw.objects);
+    let mut described = objects::objects(context, raw.objects);
     let mut pdos = pdos::pdos(context, &raw.rx_pdos, Direction::Rx, &described.objects);
     pdos.extend(pdos::pdos(context, &raw.tx_pdos, Direction::Tx, &described.objects));
+    mappability::settle(&mut described.objects, &pdos);
     let raw_pdos: Vec<_> = raw.rx_pdos.iter().chain(&raw.tx_pdos).collect();
     let sync_managers = sync_managers::sync_managers(context, raw.sync_managers, &raw_pdos, &pdos);
     let basis = Basis {

@@ -13,6 +13,8 @@ mod device;
 mod entries;
 mod front;
 mod kept;
+mod mappability;
+mod mapped;
 mod modes;
 mod names;
 mod numbered;

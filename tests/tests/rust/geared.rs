@@ -53,5 +53,5 @@ fn an_entry_has_no_unit_where_none_is_right() {
     // of the device, and the unit depends on the axis
     let _: Entry<Geared, i32, ReadWrite> = limits::POSITION;
     // increments on two axes, millimetres on the third
-    let _: Entry<Geared, u32, ReadWrite, Rx> = objects::position_window(Axis::C);
+    let _: Entry<Geared, u32, ReadWrite> = objects::position_window(Axis::C);
 }

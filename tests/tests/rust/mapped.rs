@@ -210,3 +210,26 @@ fn what_is_sent_is_what_is_read() {
         assert_eq!(image, concatenated(&parts));
     }
 }
+
+/// Other values: on the way to Pre-Operational in front of all else, the rest behind it, each as its type has it.
+#[test]
+fn a_configuration_writes_other_values() {
+    let list = mapped::configurations::PREPARED;
+    let bare = |write: &devc_runtime::start_up::Write| {
+        (write.transition, write.address.index, write.address.subindex, write.data().to_vec())
+    };
+    let expected = [
+        ("IP", 0x2006, 0, vec![1, 0, 0, 0]),
+        ("PS", 0x1C12, 0, vec![0]),
+        ("PS", 0x1C12, 1, vec![0x02, 0x16]),
+        ("PS", 0x1C12, 0, vec![1]),
+        ("PS", 0x200A, 0, vec![0x34, 0x12]),
+        ("SO", 0x2005, 0, b"no".to_vec()),
+    ];
+    assert_eq!(list.each_ref().map(bare), expected);
+    let mut mailbox = mailbox();
+    for it in list {
+        let written = write(&mut mailbox, (it.address.index, it.address.subindex), it.data());
+        assert_eq!(written, Ok(()), "{it}");
+    }
+}

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use devc_generated::{c887, pmc_sc6, s700};
 use devc_runtime::coe::Mailbox;
+use devc_runtime::pdo::ProcessData;
 use devc_runtime::sdo::{Server, Values};
+use devc_runtime::start_up::{StartUp, Write};
 use serde_json::Value;
 
 use crate::mapped::write;
@@ -70,4 +72,32 @@ fn the_free_mapping_of_the_s700_is_accepted() {
     assert_eq!(values.rx_pdo_1600.in_use(), [0x6040_0010, 0x60C1_0020]);
     assert_eq!(values.tx_pdo_1a00.in_use(), [0x6041_0010, 0x6063_0020]);
     assert_eq!(values.sync_manager_2_pdo_assignment.in_use(), [0x1600]);
+}
+
+/// The process data of a configuration has types, from which the runtime makes the list that devc has made of the
+/// description.
+#[test]
+fn the_list_follows_from_the_types_of_the_configuration() {
+    use s700::s700::configurations::{FREE_MAPPING, POSITION, free_mapping, position};
+    const FREE: StartUp =
+        StartUp::of::<free_mapping::Outputs, free_mapping::Inputs>().mode(1).cycle_ns::<2_000_000>();
+    const WRITES: [Write; FREE.len()] = FREE.writes();
+    let bare = |write: &Write| (write.address, write.data().to_vec(), write.transition);
+    assert_eq!(WRITES.each_ref().map(bare), FREE_MAPPING.each_ref().map(bare));
+    assert_eq!((free_mapping::Outputs::LEN, free_mapping::Inputs::LEN), (6, 6));
+
+    const FIXED: StartUp = StartUp::of::<position::Outputs, position::Inputs>();
+    const OUTPUTS: [Write; FIXED.len()] = FIXED.writes();
+    let outputs = OUTPUTS.iter().filter(|write| write.address.index == 0x1C12).map(bare);
+    assert_eq!(outputs.collect::<Vec<_>>(), POSITION.each_ref().map(bare));
+}
+
+/// Pilz, Tab. 18 to 21: 5 bytes and 5 bytes for each axis.
+#[test]
+fn the_velocity_mapping_of_the_pmc_has_types() {
+    use pmc_sc6::{double::configurations::velocity as two, single::configurations::velocity as one};
+    assert_eq!((two::Outputs::LEN, two::Inputs::LEN), (10, 10));
+    assert_eq!((one::Outputs::LEN, one::Inputs::LEN), (5, 5));
+    let image = one::RxPdo1600 { vl_target_velocity: -2, ..one::RxPdo1600::unpack([0; 5]) }.pack();
+    assert_eq!(image, [0, 0, 0, 0xFE, 0xFF]);
 }

@@ -18,7 +18,7 @@ pub(super) fn of_object(object: &Object) -> Element {
     let access = first.map_or_else(|| Element::leaf("Access", word(readable, writable)), access);
     let rx = values().any(|entry| entry.pdo.rx());
     let tx = values().any(|entry| entry.pdo.tx());
-    flags(access, object.category, mappable(rx, tx))
+    flags(access, object.category, Mappable::of(rx, tx))
 }
 
 fn flags(access: Element, category: Category, pdo: Mappable) -> Element {
@@ -53,14 +53,5 @@ fn word(readable: bool, writable: bool) -> &'static str {
         (_, false) => "ro",
         (false, true) => "wo",
         (true, true) => "rw",
-    }
-}
-
-fn mappable(rx: bool, tx: bool) -> Mappable {
-    match (rx, tx) {
-        (false, false) => Mappable::None,
-        (true, false) => Mappable::Rx,
-        (false, true) => Mappable::Tx,
-        (true, true) => Mappable::RxTx,
     }
 }

@@ -42,10 +42,12 @@ mod misclassified_error;
 mod misdirected_entry;
 mod misordered_sync_managers;
 mod missing_group;
+mod missing_mandatory_pdo;
 mod missing_object;
 mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
+mod overfull_assignment;
 mod overlapping_bits;
 mod overlapping_groups;
 mod overlapping_states;
@@ -57,6 +59,7 @@ mod oversized_pdo;
 mod overwide_entry;
 mod patternless_state;
 mod placeholder_identity;
+mod refused_choice;
 mod renamed_entry;
 mod repeated_alias;
 mod repeated_error;
@@ -79,13 +82,16 @@ mod unplaced_object;
 mod unprintable_character;
 mod unreachable_default;
 mod unreachable_transition;
+mod unrepresentable_cycle_time;
 mod unrepresentable_value;
 mod unscaled_axis;
 mod unsized_string;
 mod unsourced_fact;
 mod unsupported_configuration_mode;
+mod unsupported_cycle_time;
 mod unsupported_pdo_mode;
 mod unsupported_transition;
+mod unwritable_output;
 mod withheld_bit;
 
 use super::Lint;
@@ -138,10 +144,12 @@ lints! {
     misdirected_entry,
     misordered_sync_managers,
     missing_group,
+    missing_mandatory_pdo,
     missing_object,
     mixed_vendors,
     odd_count_type,
     one_sided_exclusion,
+    overfull_assignment,
     overlapping_bits,
     overlapping_groups,
     overlapping_states,
@@ -153,6 +161,7 @@ lints! {
     overwide_entry,
     patternless_state,
     placeholder_identity,
+    refused_choice,
     renamed_entry,
     repeated_alias,
     repeated_error,
@@ -175,12 +184,15 @@ lints! {
     unprintable_character,
     unreachable_default,
     unreachable_transition,
+    unrepresentable_cycle_time,
     unrepresentable_value,
     unscaled_axis,
     unsized_string,
     unsourced_fact,
     unsupported_configuration_mode,
+    unsupported_cycle_time,
     unsupported_pdo_mode,
     unsupported_transition,
+    unwritable_output,
     withheld_bit,
 }
