@@ -45,7 +45,7 @@ use ::devc_runtime::cia402::{
     Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
 };
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
     Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     Unmapped,
@@ -1242,6 +1242,19 @@ impl Controlword {
     }
 }
 
+impl core::fmt::Display for Controlword {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        const FIELDS: &[BitField] = &[
+            BitField::new(0, 1, "switch on"),
+            BitField::new(1, 1, "enable voltage"),
+            BitField::new(2, 1, "quick stop"),
+            BitField::new(3, 1, "enable operation"),
+            BitField::new(7, 1, "fault reset"),
+        ];
+        ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+    }
+}
+
 ::devc_runtime::value!(Controlword as u16);
 
 /// `0x6041` Statusword.
@@ -1371,6 +1384,23 @@ impl Statusword {
     }
 }
 
+impl core::fmt::Display for Statusword {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        const FIELDS: &[BitField] = &[
+            BitField::new(0, 1, "ready to switch on").of_state(),
+            BitField::new(1, 1, "switched on").of_state(),
+            BitField::new(2, 1, "operation enabled").of_state(),
+            BitField::new(3, 1, "fault").of_state(),
+            BitField::new(4, 1, "voltage enabled"),
+            BitField::new(5, 1, "quick stop").of_state(),
+            BitField::new(6, 1, "switch on disabled").of_state(),
+            BitField::new(7, 1, "warning"),
+            BitField::new(11, 1, "internal limit active"),
+        ];
+        ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+    }
+}
+
 ::devc_runtime::value!(Statusword as u16);
 
 /// `0x1001` Error register.
@@ -1415,6 +1445,21 @@ impl ErrorRegister {
     /// Bit 7: manufacturer-specific error code.
     pub const fn manufacturer_specific_error_code(self) -> bool {
         self.0 & 1 << 7 != 0
+    }
+}
+
+impl core::fmt::Display for ErrorRegister {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        const FIELDS: &[BitField] = &[
+            BitField::new(0, 1, "generic error"),
+            BitField::new(1, 1, "current"),
+            BitField::new(2, 1, "voltage"),
+            BitField::new(3, 1, "temperature"),
+            BitField::new(4, 1, "communication"),
+            BitField::new(5, 1, "device profile specific error"),
+            BitField::new(7, 1, "manufacturer specific error code"),
+        ];
+        ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
     }
 }
 

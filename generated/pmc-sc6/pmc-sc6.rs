@@ -42,7 +42,7 @@ pub mod double {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -1826,6 +1826,19 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -2012,6 +2025,24 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -2038,6 +2069,13 @@ pub mod double {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2234,6 +2272,26 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -2313,6 +2371,22 @@ pub mod double {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2422,6 +2496,20 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -2455,6 +2543,19 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -2484,6 +2585,14 @@ pub mod double {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2569,6 +2678,25 @@ pub mod double {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -6472,7 +6600,7 @@ pub mod single {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -7909,6 +8037,19 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -8095,6 +8236,24 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -8121,6 +8280,13 @@ pub mod single {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -8317,6 +8483,26 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -8396,6 +8582,22 @@ pub mod single {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -8505,6 +8707,20 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -8538,6 +8754,19 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -8567,6 +8796,14 @@ pub mod single {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -8652,6 +8889,25 @@ pub mod single {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -12306,7 +12562,7 @@ pub mod double_hires {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -14151,6 +14407,19 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -14337,6 +14606,24 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -14363,6 +14650,13 @@ pub mod double_hires {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -14559,6 +14853,26 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -14638,6 +14952,22 @@ pub mod double_hires {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -14747,6 +15077,20 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -14780,6 +15124,19 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -14809,6 +15166,14 @@ pub mod double_hires {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -14894,6 +15259,25 @@ pub mod double_hires {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -18691,7 +19075,7 @@ pub mod single_hires {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -20129,6 +20513,19 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -20315,6 +20712,24 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -20341,6 +20756,13 @@ pub mod single_hires {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -20537,6 +20959,26 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -20616,6 +21058,22 @@ pub mod single_hires {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -20725,6 +21183,20 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -20758,6 +21230,19 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -20787,6 +21272,14 @@ pub mod single_hires {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -20872,6 +21365,25 @@ pub mod single_hires {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 

@@ -34,7 +34,7 @@ pub mod s300 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -2087,6 +2087,22 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -2197,6 +2213,29 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(8, 1, "following error"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "limit switch"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -2281,6 +2320,20 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -2349,6 +2402,24 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -2378,6 +2449,14 @@ pub mod s300 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2423,6 +2502,21 @@ pub mod s300 {
         /// Bit 6: digital input 1.
         pub const fn digital_input_1(self) -> bool {
             self.0 & 1 << 6 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -6356,7 +6450,7 @@ pub mod s400 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -7778,6 +7872,22 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -7888,6 +7998,29 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(8, 1, "following error"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "limit switch"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -7972,6 +8105,20 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -8040,6 +8187,24 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -8069,6 +8234,14 @@ pub mod s400 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -8114,6 +8287,21 @@ pub mod s400 {
         /// Bit 6: digital input 1.
         pub const fn digital_input_1(self) -> bool {
             self.0 & 1 << 6 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -10919,7 +11107,7 @@ pub mod s600 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -12341,6 +12529,22 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -12451,6 +12655,29 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(8, 1, "following error"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "limit switch"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -12535,6 +12762,20 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -12603,6 +12844,24 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -12632,6 +12891,14 @@ pub mod s600 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -12677,6 +12944,21 @@ pub mod s600 {
         /// Bit 6: digital input 1.
         pub const fn digital_input_1(self) -> bool {
             self.0 & 1 << 6 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -15482,7 +15764,7 @@ pub mod s700 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -17535,6 +17817,22 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -17645,6 +17943,29 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(8, 1, "following error"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "limit switch"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -17729,6 +18050,20 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -17797,6 +18132,24 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -17826,6 +18179,14 @@ pub mod s700 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -17881,6 +18242,23 @@ pub mod s700 {
         /// Bit 8: digital input 6.
         pub const fn digital_input_6(self) -> bool {
             self.0 & 1 << 8 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+                BitField::new(7, 1, "digital input 5"),
+                BitField::new(8, 1, "digital input 6"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 

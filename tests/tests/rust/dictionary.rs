@@ -117,6 +117,10 @@ fn words_states_and_errors_speak() {
     let word = Controlword(0).with_switch_on(true).with_fault_reset(true);
     assert_eq!((word.0, word.switch_on(), word.with_switch_on(false).0), (0x0081, true, 0x0080));
     assert!(Statusword(1 << 12).hm_homing_attained());
+    // the table of states (p. 9), bits 4 and 7 (p. 12)
+    assert_eq!(Statusword(0x00B7).to_string(), "operation enabled, voltage enabled, warning");
+    assert_eq!(Statusword(0x0001).to_string(), "ready to switch on", "no state has this pattern");
+    assert_eq!(Controlword(0x0007).to_string(), "switch on, enable voltage, quick stop");
     assert_eq!(ErrorCode(0x7121).to_string(), "0x7121: Motor Blocked");
     assert_eq!(ErrorCode(0xFF77).name(), Some("Manufacturer-specific Error Codes"));
     assert_eq!(
