@@ -8,7 +8,7 @@ pub mod s300 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -47,8 +47,8 @@ pub mod s300 {
     ///
     /// Models: SERVOSTAR 300-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -69,17 +69,20 @@ pub mod s300 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S300, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -89,23 +92,25 @@ pub mod s300 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S300, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S300, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -115,8 +120,6 @@ pub mod s300 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -250,14 +253,11 @@ pub mod s300 {
 
             /// `0x1600:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
             pub const ENTRY_30: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 30);
-
-            /// `0x1600:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_31: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 31);
         }
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -273,7 +273,7 @@ pub mod s300 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -289,7 +289,7 @@ pub mod s300 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -303,9 +303,9 @@ pub mod s300 {
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -330,7 +330,7 @@ pub mod s300 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -355,7 +355,7 @@ pub mod s300 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -377,7 +377,7 @@ pub mod s300 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -403,9 +403,9 @@ pub mod s300 {
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -430,13 +430,13 @@ pub mod s300 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x170A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod rx_pdo_170a {
             use super::*;
 
@@ -449,13 +449,13 @@ pub mod s300 {
             /// `0x170A:02` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x170A, 2);
 
-            /// `0x170A:03` State of digital output. UINT32, ro, default 0x23020010.
+            /// `0x170A:03` Set value for digital output1/bit 0 and output2/bit 1. UINT32, ro, default 0x23020010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x170A, 3);
         }
 
         /// `0x1710` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod rx_pdo_1710 {
             use super::*;
 
@@ -489,7 +489,7 @@ pub mod s300 {
 
         /// `0x1711` Position interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 11.
         pub mod rx_pdo_1711 {
             use super::*;
 
@@ -499,10 +499,10 @@ pub mod s300 {
             /// `0x1711:01` Position setpoint. UINT32, ro, default 0x60C10020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 1);
 
-            /// `0x1711:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1711:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 2);
 
-            /// `0x1711:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1711:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 3);
 
             /// `0x1711:04` Current limit. UINT32, ro, default 0x20610010.
@@ -517,7 +517,7 @@ pub mod s300 {
 
         /// `0x1712` Velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 12.
         pub mod rx_pdo_1712 {
             use super::*;
 
@@ -527,10 +527,10 @@ pub mod s300 {
             /// `0x1712:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 1);
 
-            /// `0x1712:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1712:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 2);
 
-            /// `0x1712:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1712:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 3);
 
             /// `0x1712:04` Current limit. UINT32, ro, default 0x20610010.
@@ -545,7 +545,7 @@ pub mod s300 {
 
         /// `0x1714` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod rx_pdo_1714 {
             use super::*;
 
@@ -558,16 +558,16 @@ pub mod s300 {
             /// `0x1714:02` DPRVAR2 (lower 16 bits). UINT32, ro, default 0x23060010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 2);
 
-            /// `0x1714:03` DPRVAR3. UINT32, ro, default 0x20900320.
+            /// `0x1714:03` DPRVAR3 (32 bits). UINT32, ro, default 0x20900320.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 3);
 
-            /// `0x1714:04` DPRVAR4. UINT32, ro, default 0x20900420.
+            /// `0x1714:04` DPRVAR4 (32 bits). UINT32, ro, default 0x20900420.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 4);
 
-            /// `0x1714:05` DPRVAR5. UINT32, ro, default 0x20900520.
+            /// `0x1714:05` DPRVAR5 (32 bits). UINT32, ro, default 0x20900520.
             pub const ENTRY_5: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 5);
 
-            /// `0x1714:06` DPRVAR6. UINT32, ro, default 0x20900620.
+            /// `0x1714:06` DPRVAR6 (32 bits). UINT32, ro, default 0x20900620.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 6);
         }
 
@@ -675,191 +675,11 @@ pub mod s300 {
 
             /// `0x1A00:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
             pub const ENTRY_32: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 32);
-
-            /// `0x1A00:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_33: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 33);
-
-            /// `0x1A00:22` SubIndex 034. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_34: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 34);
-
-            /// `0x1A00:23` SubIndex 035. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_35: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 35);
-
-            /// `0x1A00:24` SubIndex 036. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_36: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 36);
-
-            /// `0x1A00:25` SubIndex 037. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_37: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 37);
-
-            /// `0x1A00:26` SubIndex 038. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_38: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 38);
-
-            /// `0x1A00:27` SubIndex 039. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_39: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 39);
-
-            /// `0x1A00:28` SubIndex 040. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_40: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 40);
-
-            /// `0x1A00:29` SubIndex 041. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_41: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 41);
-
-            /// `0x1A00:2A` SubIndex 042. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_42: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 42);
-
-            /// `0x1A00:2B` SubIndex 043. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_43: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 43);
-
-            /// `0x1A00:2C` SubIndex 044. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_44: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 44);
-
-            /// `0x1A00:2D` SubIndex 045. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_45: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 45);
-
-            /// `0x1A00:2E` SubIndex 046. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_46: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 46);
-
-            /// `0x1A00:2F` SubIndex 047. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_47: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 47);
-
-            /// `0x1A00:30` SubIndex 048. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_48: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 48);
-
-            /// `0x1A00:31` SubIndex 049. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_49: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 49);
-
-            /// `0x1A00:32` SubIndex 050. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_50: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 50);
-
-            /// `0x1A00:33` SubIndex 051. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_51: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 51);
-
-            /// `0x1A00:34` SubIndex 052. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_52: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 52);
-
-            /// `0x1A00:35` SubIndex 053. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_53: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 53);
-
-            /// `0x1A00:36` SubIndex 054. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_54: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 54);
-
-            /// `0x1A00:37` SubIndex 055. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_55: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 55);
-
-            /// `0x1A00:38` SubIndex 056. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_56: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 56);
-
-            /// `0x1A00:39` SubIndex 057. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_57: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 57);
-
-            /// `0x1A00:3A` SubIndex 058. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_58: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 58);
-
-            /// `0x1A00:3B` SubIndex 059. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_59: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 59);
-
-            /// `0x1A00:3C` SubIndex 060. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_60: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 60);
-
-            /// `0x1A00:3D` SubIndex 061. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_61: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 61);
-
-            /// `0x1A00:3E` SubIndex 062. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_62: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 62);
-
-            /// `0x1A00:3F` SubIndex 063. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_63: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 63);
-
-            /// `0x1A00:40` SubIndex 064. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_64: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 64);
-
-            /// `0x1A00:41` SubIndex 065. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_65: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 65);
-
-            /// `0x1A00:42` SubIndex 066. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_66: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 66);
-
-            /// `0x1A00:43` SubIndex 067. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_67: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 67);
-
-            /// `0x1A00:44` SubIndex 068. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_68: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 68);
-
-            /// `0x1A00:45` SubIndex 069. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_69: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 69);
-
-            /// `0x1A00:46` SubIndex 070. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_70: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 70);
-
-            /// `0x1A00:47` SubIndex 071. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_71: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 71);
-
-            /// `0x1A00:48` SubIndex 072. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_72: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 72);
-
-            /// `0x1A00:49` SubIndex 073. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_73: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 73);
-
-            /// `0x1A00:4A` SubIndex 074. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_74: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 74);
-
-            /// `0x1A00:4B` SubIndex 075. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_75: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 75);
-
-            /// `0x1A00:4C` SubIndex 076. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_76: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 76);
-
-            /// `0x1A00:4D` SubIndex 077. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_77: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 77);
-
-            /// `0x1A00:4E` SubIndex 078. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_78: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 78);
-
-            /// `0x1A00:4F` SubIndex 079. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_79: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 79);
-
-            /// `0x1A00:50` SubIndex 080. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_80: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 80);
-
-            /// `0x1A00:51` SubIndex 081. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_81: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 81);
-
-            /// `0x1A00:52` SubIndex 082. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_82: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 82);
-
-            /// `0x1A00:53` SubIndex 083. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_83: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 83);
-
-            /// `0x1A00:54` SubIndex 084. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_84: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 84);
-
-            /// `0x1A00:55` SubIndex 085. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_85: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 85);
-
-            /// `0x1A00:56` SubIndex 086. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_86: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 86);
-
-            /// `0x1A00:57` SubIndex 087. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_87: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 87);
-
-            /// `0x1A00:58` SubIndex 088. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_88: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 88);
-
-            /// `0x1A00:59` SubIndex 089. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_89: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 89);
-
-            /// `0x1A00:5A` SubIndex 090. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_90: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 90);
-
-            /// `0x1A00:5B` SubIndex 091. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_91: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 91);
-
-            /// `0x1A00:5C` SubIndex 092. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_92: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 92);
         }
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -875,7 +695,7 @@ pub mod s300 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -892,9 +712,9 @@ pub mod s300 {
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -907,7 +727,7 @@ pub mod s300 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -916,7 +736,7 @@ pub mod s300 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -929,7 +749,7 @@ pub mod s300 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -938,7 +758,7 @@ pub mod s300 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -960,7 +780,7 @@ pub mod s300 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -976,7 +796,7 @@ pub mod s300 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -989,9 +809,9 @@ pub mod s300 {
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -1004,10 +824,10 @@ pub mod s300 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -1022,7 +842,7 @@ pub mod s300 {
 
         /// `0x1B0A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod tx_pdo_1b0a {
             use super::*;
 
@@ -1038,13 +858,13 @@ pub mod s300 {
             /// `0x1B0A:03` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0A, 3);
 
-            /// `0x1B0A:04` Digital I/O. UINT32, ro, default 0x60FD0010.
+            /// `0x1B0A:04` Digital input state. UINT32, ro, default 0x60FD0010.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0A, 4);
         }
 
         /// `0x1B0B` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod tx_pdo_1b0b {
             use super::*;
 
@@ -1057,7 +877,7 @@ pub mod s300 {
             /// `0x1B0B:02` Position actual value 2. UINT32, ro, default 0x20500020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 2);
 
-            /// `0x1B0B:03` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0B:03` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 3);
 
             /// `0x1B0B:04` Current actual value. UINT32, ro, default 0x60770010.
@@ -1066,13 +886,13 @@ pub mod s300 {
             /// `0x1B0B:05` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_5: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 5);
 
-            /// `0x1B0B:06` Drive errors. UINT32, ro, default 0x10030020.
+            /// `0x1B0B:06` Drive error status. UINT32, ro, default 0x10030020.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 6);
 
             /// `0x1B0B:07` Drive warnings. UINT32, ro, default 0x20000020.
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 7);
 
-            /// `0x1B0B:08` Digital I/O. UINT32, ro, default 0x60FD0020.
+            /// `0x1B0B:08` Digital input state. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_8: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 8);
 
             /// `0x1B0B:09` Analog input 1. UINT32, ro, default 0x20B20110.
@@ -1090,7 +910,7 @@ pub mod s300 {
 
         /// `0x1B0C` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod tx_pdo_1b0c {
             use super::*;
 
@@ -1100,7 +920,7 @@ pub mod s300 {
             /// `0x1B0C:01` Position actual value 1. UINT32, ro, default 0x60630020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0C, 1);
 
-            /// `0x1B0C:02` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0C:02` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0C, 2);
 
             /// `0x1B0C:03` Statusword. UINT32, ro, default 0x60410010.
@@ -1179,8 +999,6 @@ pub mod s300 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -1250,17 +1068,17 @@ pub mod s300 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S300, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -1329,15 +1147,19 @@ pub mod s300 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S300, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -1345,6 +1167,12 @@ pub mod s300 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -1352,27 +1180,43 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -1381,9 +1225,11 @@ pub mod s300 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -1391,62 +1237,98 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -1454,62 +1336,114 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -1517,59 +1451,111 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1577,6 +1563,8 @@ pub mod s300 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -1585,40 +1573,64 @@ pub mod s300 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -1628,16 +1640,22 @@ pub mod s300 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S300, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S300, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -1645,6 +1663,12 @@ pub mod s300 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -1652,10 +1676,14 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -1663,26 +1691,36 @@ pub mod s300 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S300, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1690,29 +1728,42 @@ pub mod s300 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -1720,47 +1771,69 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S300, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -1770,54 +1843,67 @@ pub mod s300 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S300, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S300, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S300, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -1901,15 +1987,15 @@ pub mod s300 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S300, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite> = Entry::new(0x60C2, 2);
@@ -1945,7 +2031,7 @@ pub mod s300 {
         pub const VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -1957,87 +2043,90 @@ pub mod s300 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -2090,11 +2179,11 @@ pub mod s300 {
     impl core::fmt::Display for Controlword {
         fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
             const FIELDS: &[BitField] = &[
-                BitField::new(0, 1, "switch on"),
-                BitField::new(1, 1, "enable voltage"),
-                BitField::new(2, 1, "quick stop"),
-                BitField::new(3, 1, "enable operation"),
-                BitField::new(7, 1, "fault reset"),
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
                 BitField::new(11, 1, "start homing"),
                 BitField::new(12, 1, "save parameters"),
                 BitField::new(15, 1, "ascii toggle"),
@@ -2129,8 +2218,8 @@ pub mod s300 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -2139,10 +2228,10 @@ pub mod s300 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -2151,17 +2240,17 @@ pub mod s300 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -2179,10 +2268,8 @@ pub mod s300 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -2191,10 +2278,10 @@ pub mod s300 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -2218,17 +2305,17 @@ pub mod s300 {
             const FIELDS: &[BitField] = &[
                 BitField::new(0, 1, "ready to switch on").of_state(),
                 BitField::new(1, 1, "switched on").of_state(),
-                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
                 BitField::new(3, 1, "error").of_state(),
-                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
                 BitField::new(6, 1, "switch on disabled").of_state(),
-                BitField::new(7, 1, "warning"),
-                BitField::new(8, 1, "following error"),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
                 BitField::new(9, 1, "reference point set"),
                 BitField::new(10, 1, "target reached"),
-                BitField::new(11, 1, "limit switch"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
                 BitField::new(12, 1, "ethercat communication ok"),
-                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
                 BitField::new(14, 1, "hardware reset needed"),
                 BitField::new(15, 1, "motion task active"),
             ];
@@ -2308,7 +2395,7 @@ pub mod s300 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -2370,7 +2457,7 @@ pub mod s300 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -2650,7 +2737,7 @@ pub mod s300 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -2673,7 +2760,7 @@ pub mod s300 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -2711,13 +2798,13 @@ pub mod s300 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -2725,7 +2812,7 @@ pub mod s300 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -2790,9 +2877,11 @@ pub mod s300 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2839,9 +2928,11 @@ pub mod s300 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -2888,9 +2979,11 @@ pub mod s300 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -2935,11 +3028,11 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3004,9 +3097,9 @@ pub mod s300 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3071,9 +3164,9 @@ pub mod s300 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3132,9 +3225,9 @@ pub mod s300 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3205,11 +3298,12 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -3224,7 +3318,7 @@ pub mod s300 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -3288,9 +3382,11 @@ pub mod s300 {
 
     /// `0x170A` Position interface with digital I/O, 8 bytes.
     ///
-    /// Goes with 0x1B0A.
+    /// Interface 9. Goes with 0x1B0A.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 9.
+    ///
+    /// Assumed, mode: from its name and its set value.
     ///
     /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
     /// 0x1B0A are swapped.
@@ -3300,7 +3396,7 @@ pub mod s300 {
         pub position_setpoint: i32,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x2302:00` State of digital output.
+        /// `0x2302:00` Set value for digital output1/bit 0 and output2/bit 1.
         pub digital_outputs: DigitalOutputs,
     }
 
@@ -3346,9 +3442,9 @@ pub mod s300 {
 
     /// `0x1710` Motion tasks with I/O and actual values, 26 bytes.
     ///
-    /// Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1710 {
         /// `0x607A:00` Motion task target position.
@@ -3439,16 +3535,18 @@ pub mod s300 {
 
     /// `0x1711` Position interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 11. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 11.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
         pub position_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -3514,16 +3612,18 @@ pub mod s300 {
 
     /// `0x1712` Velocity interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 12. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 12.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
         pub velocity_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -3589,23 +3689,23 @@ pub mod s300 {
 
     /// `0x1714` Macro program interface, 20 bytes.
     ///
-    /// Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
+    /// Interface 13. Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1714 {
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
         /// `0x2306:00` DPRVAR2 (lower 16 bits).
         pub dprvar_2_low: i16,
-        /// `0x2090:03` DPRVAR3.
-        pub dprvar_set_dprvar3: i32,
-        /// `0x2090:04` DPRVAR4.
-        pub dprvar_set_dprvar4: i32,
-        /// `0x2090:05` DPRVAR5.
-        pub dprvar_set_dprvar5: i32,
-        /// `0x2090:06` DPRVAR6.
-        pub dprvar_set_dprvar6: i32,
+        /// `0x2090:03` DPRVAR3 (32 bits).
+        pub dprvar_set_dprvar3_32_bits: i32,
+        /// `0x2090:04` DPRVAR4 (32 bits).
+        pub dprvar_set_dprvar4_32_bits: i32,
+        /// `0x2090:05` DPRVAR5 (32 bits).
+        pub dprvar_set_dprvar5_32_bits: i32,
+        /// `0x2090:06` DPRVAR6 (32 bits).
+        pub dprvar_set_dprvar6_32_bits: i32,
     }
 
     impl RxPdo1714 {
@@ -3614,10 +3714,10 @@ pub mod s300 {
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
-            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3.to_le_bytes();
-            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4.to_le_bytes();
-            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5.to_le_bytes();
-            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6.to_le_bytes();
+            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3_32_bits.to_le_bytes();
+            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4_32_bits.to_le_bytes();
+            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5_32_bits.to_le_bytes();
+            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6_32_bits.to_le_bytes();
             [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]
         }
 
@@ -3631,10 +3731,10 @@ pub mod s300 {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
                 dprvar_2_low: i16::from_le_bytes([b2, b3]),
-                dprvar_set_dprvar3: i32::from_le_bytes([b4, b5, b6, b7]),
-                dprvar_set_dprvar4: i32::from_le_bytes([b8, b9, b10, b11]),
-                dprvar_set_dprvar5: i32::from_le_bytes([b12, b13, b14, b15]),
-                dprvar_set_dprvar6: i32::from_le_bytes([b16, b17, b18, b19]),
+                dprvar_set_dprvar3_32_bits: i32::from_le_bytes([b4, b5, b6, b7]),
+                dprvar_set_dprvar4_32_bits: i32::from_le_bytes([b8, b9, b10, b11]),
+                dprvar_set_dprvar5_32_bits: i32::from_le_bytes([b12, b13, b14, b15]),
+                dprvar_set_dprvar6_32_bits: i32::from_le_bytes([b16, b17, b18, b19]),
             }
         }
     }
@@ -3645,10 +3745,10 @@ pub mod s300 {
         pub RxPdo1714View of RxPdo1714, 20;
         controlword, set_controlword: Controlword => 0, 16;
         dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
-        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
-        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
-        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
-        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
+        dprvar_set_dprvar3_32_bits, set_dprvar_set_dprvar3_32_bits: i32 => 32, 32;
+        dprvar_set_dprvar4_32_bits, set_dprvar_set_dprvar4_32_bits: i32 => 64, 32;
+        dprvar_set_dprvar5_32_bits, set_dprvar_set_dprvar5_32_bits: i32 => 96, 32;
+        dprvar_set_dprvar6_32_bits, set_dprvar_set_dprvar6_32_bits: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -3705,9 +3805,9 @@ pub mod s300 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3754,7 +3854,9 @@ pub mod s300 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3805,16 +3907,18 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3866,14 +3970,16 @@ pub mod s300 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3925,7 +4031,9 @@ pub mod s300 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3984,7 +4092,9 @@ pub mod s300 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3993,7 +4103,7 @@ pub mod s300 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -4067,18 +4177,21 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -4150,7 +4263,9 @@ pub mod s300 {
 
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 9.
+    ///
+    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -4162,7 +4277,7 @@ pub mod s300 {
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
     }
 
@@ -4212,26 +4327,26 @@ pub mod s300 {
 
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
     ///
-    /// More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x2050:00` Position actual value 2, in increments.
         pub position_actual_value_2: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x1003:00` Drive errors.
+        /// `0x1003:00` Drive error status.
         pub drive_errors: i32,
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,
@@ -4331,14 +4446,15 @@ pub mod s300 {
 
     /// `0x1B0C` Macro program interface, 28 bytes.
     ///
-    /// DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
+    /// 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -4497,14 +4613,12 @@ pub mod s300 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -4551,14 +4665,12 @@ pub mod s300 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S300 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -4847,7 +4959,7 @@ pub mod s300 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -4899,11 +5011,11 @@ pub mod s300 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -5060,7 +5172,7 @@ pub mod s300 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -5086,7 +5198,7 @@ pub mod s300 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -5139,25 +5251,25 @@ pub mod s300 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -5223,7 +5335,7 @@ pub mod s300 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -5243,9 +5355,10 @@ pub mod s300 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -5259,7 +5372,7 @@ pub mod s300 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S300, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -5271,17 +5384,17 @@ pub mod s300 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S300, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S300, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S300, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -5295,7 +5408,7 @@ pub mod s300 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -5312,11 +5425,11 @@ pub mod s300 {
             /// `0x1600` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
-            pub rx_pdo_1600: sdo::List<u32, 31>,
+            pub rx_pdo_1600: sdo::List<u32, 30>,
             /// `0x1A00` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
-            pub tx_pdo_1a00: sdo::List<u32, 92>,
+            pub tx_pdo_1a00: sdo::List<u32, 32>,
             /// `0x1C12` Sync manager 2 PDO assignment.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
@@ -5344,75 +5457,75 @@ pub mod s300 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -5439,7 +5552,8 @@ pub mod s300 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -5456,9 +5570,9 @@ pub mod s300 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -5474,9 +5588,9 @@ pub mod s300 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -5536,16 +5650,14 @@ pub mod s300 {
                     count: 1,
                     items: [
                         0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0,
                     ],
                 },
                 tx_pdo_1a00: sdo::List {
                     count: 1,
                     items: [
                         0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0,
                     ],
                 },
                 sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1702] },
@@ -5583,7 +5695,7 @@ pub mod s300 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -5627,7 +5739,7 @@ pub mod s300 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -5684,7 +5796,7 @@ pub mod s300 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -5715,15 +5827,15 @@ pub mod s300 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub interpolation_time_period_value: u8,
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
@@ -5769,7 +5881,7 @@ pub mod s300 {
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     20 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -5880,7 +5992,7 @@ pub mod s300 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -5981,7 +6093,7 @@ pub mod s300 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -6007,7 +6119,7 @@ pub mod s300 {
                 ObjectCode::Record,
                 0,
                 8,
-                &const { EntryInfo::counted::<32>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
+                &const { EntryInfo::counted::<31>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -6098,7 +6210,7 @@ pub mod s300 {
                 ObjectCode::Record,
                 0,
                 9,
-                &const { EntryInfo::counted::<93>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
+                &const { EntryInfo::counted::<33>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -6208,7 +6320,7 @@ pub mod s300 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -6230,7 +6342,7 @@ pub mod s300 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -6376,8 +6488,8 @@ pub mod s300 {
             objects: &[
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -6424,7 +6536,7 @@ pub mod s400 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -6463,8 +6575,8 @@ pub mod s400 {
     ///
     /// Models: SERVOSTAR 400-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -6485,43 +6597,48 @@ pub mod s400 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S400, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
         pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly> = Entry::new(0x1001, 0);
 
-        /// `0x1002:00` Motion task status value. INT32, ro (3.7.2).
+        /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S400, i32, ReadOnly> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S400, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S400, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -6531,8 +6648,6 @@ pub mod s400 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -6570,7 +6685,7 @@ pub mod s400 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -6586,7 +6701,7 @@ pub mod s400 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -6602,7 +6717,7 @@ pub mod s400 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -6616,9 +6731,9 @@ pub mod s400 {
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -6643,7 +6758,7 @@ pub mod s400 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -6668,7 +6783,7 @@ pub mod s400 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -6690,7 +6805,7 @@ pub mod s400 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -6716,9 +6831,9 @@ pub mod s400 {
             pub const ENTRY_6: Entry<S400, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -6743,13 +6858,13 @@ pub mod s400 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S400, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S400, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -6765,7 +6880,7 @@ pub mod s400 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -6782,9 +6897,9 @@ pub mod s400 {
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -6797,7 +6912,7 @@ pub mod s400 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -6806,7 +6921,7 @@ pub mod s400 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -6819,7 +6934,7 @@ pub mod s400 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -6828,7 +6943,7 @@ pub mod s400 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -6850,7 +6965,7 @@ pub mod s400 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -6866,7 +6981,7 @@ pub mod s400 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -6879,9 +6994,9 @@ pub mod s400 {
             pub const ENTRY_7: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -6894,10 +7009,10 @@ pub mod s400 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -6964,8 +7079,6 @@ pub mod s400 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -7038,14 +7151,14 @@ pub mod s400 {
             /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
             pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -7117,12 +7230,16 @@ pub mod s400 {
             /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
             pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -7130,6 +7247,12 @@ pub mod s400 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -7137,27 +7260,43 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -7166,9 +7305,11 @@ pub mod s400 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -7176,62 +7317,98 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -7239,62 +7416,114 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -7302,59 +7531,111 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -7362,6 +7643,8 @@ pub mod s400 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -7370,40 +7653,64 @@ pub mod s400 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -7413,16 +7720,22 @@ pub mod s400 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S400, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S400, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -7430,6 +7743,12 @@ pub mod s400 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -7437,10 +7756,14 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -7448,26 +7771,36 @@ pub mod s400 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S400, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -7475,29 +7808,42 @@ pub mod s400 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -7505,47 +7851,69 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S400, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -7555,61 +7923,74 @@ pub mod s400 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S400, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S400, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S400, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
         pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
         pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly> = Entry::new(0x6061, 0);
 
-        /// `0x6062:00` Actual position set point. INT32, ro, in increments (3.7.2).
+        /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S400, i32, ReadOnly> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -7618,15 +7999,15 @@ pub mod s400 {
         /// Updated in each bus cycle. Recorded as PFB.
         pub const POSITION_ACTUAL_VALUE_1: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
-        /// `0x6064:00` Actual position value. INT32, ro (3.7.2).
+        /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S400, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
-        /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144 (3.7.2).
+        /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly, Unmapped, AngularVelocity> =
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S400, i32, ReadOnly, Tx, AngularVelocity> =
             Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -7645,33 +8026,33 @@ pub mod s400 {
         pub const CURRENT_ACTUAL_VALUE: Entry<S400, i16, ReadOnly, Tx, Scale> =
             Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x607A:00` Motion task target position. INT32, rw (3.7.1).
+        /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S400, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
 
-        /// `0x6081:00` Motion task target velocity. INT32, rw (3.7.1).
+        /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S400, i32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
 
-        /// `0x6083:00` Motion task acceleration. INT32, rw (3.7.1).
+        /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S400, i32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
 
-        /// `0x6084:00` Motion task deceleration. INT32, rw (3.7.1).
+        /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S400, i32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
 
-        /// `0x6086:00` Motion task profile number. INT32, rw (3.7.1).
+        /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
         ///
         /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
         /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S400, i32, ReadWrite> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -7686,15 +8067,15 @@ pub mod s400 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S400, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite> = Entry::new(0x60C2, 2);
@@ -7707,20 +8088,20 @@ pub mod s400 {
         /// Updated in each bus cycle. Recorded as PE.
         pub const INTERNAL_FOLLOWING_ERROR: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
-        /// `0x60FC:00` Actual position set point. INT32, ro, in increments (3.7.2).
+        /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S400, i32, ReadOnly> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
 
-        /// `0x60FD:00` Digital I/O. INT16, ro (3.7.2).
+        /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
         ///
         /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
         /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
-        pub const DIGITAL_IO: Entry<S400, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S400, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
@@ -7730,7 +8111,7 @@ pub mod s400 {
         pub const VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -7742,87 +8123,90 @@ pub mod s400 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -7875,11 +8259,11 @@ pub mod s400 {
     impl core::fmt::Display for Controlword {
         fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
             const FIELDS: &[BitField] = &[
-                BitField::new(0, 1, "switch on"),
-                BitField::new(1, 1, "enable voltage"),
-                BitField::new(2, 1, "quick stop"),
-                BitField::new(3, 1, "enable operation"),
-                BitField::new(7, 1, "fault reset"),
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
                 BitField::new(11, 1, "start homing"),
                 BitField::new(12, 1, "save parameters"),
                 BitField::new(15, 1, "ascii toggle"),
@@ -7914,8 +8298,8 @@ pub mod s400 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -7924,10 +8308,10 @@ pub mod s400 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -7936,17 +8320,17 @@ pub mod s400 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -7964,10 +8348,8 @@ pub mod s400 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -7976,10 +8358,10 @@ pub mod s400 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -8003,17 +8385,17 @@ pub mod s400 {
             const FIELDS: &[BitField] = &[
                 BitField::new(0, 1, "ready to switch on").of_state(),
                 BitField::new(1, 1, "switched on").of_state(),
-                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
                 BitField::new(3, 1, "error").of_state(),
-                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
                 BitField::new(6, 1, "switch on disabled").of_state(),
-                BitField::new(7, 1, "warning"),
-                BitField::new(8, 1, "following error"),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
                 BitField::new(9, 1, "reference point set"),
                 BitField::new(10, 1, "target reached"),
-                BitField::new(11, 1, "limit switch"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
                 BitField::new(12, 1, "ethercat communication ok"),
-                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
                 BitField::new(14, 1, "hardware reset needed"),
                 BitField::new(15, 1, "motion task active"),
             ];
@@ -8093,7 +8475,7 @@ pub mod s400 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -8155,7 +8537,7 @@ pub mod s400 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -8435,7 +8817,7 @@ pub mod s400 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -8458,7 +8840,7 @@ pub mod s400 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -8496,13 +8878,13 @@ pub mod s400 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -8510,7 +8892,7 @@ pub mod s400 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -8536,9 +8918,11 @@ pub mod s400 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8585,9 +8969,11 @@ pub mod s400 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -8634,9 +9020,11 @@ pub mod s400 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -8681,11 +9069,11 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8750,9 +9138,9 @@ pub mod s400 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8817,9 +9205,9 @@ pub mod s400 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8878,9 +9266,9 @@ pub mod s400 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8951,11 +9339,12 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8970,7 +9359,7 @@ pub mod s400 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -9034,9 +9423,9 @@ pub mod s400 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9083,7 +9472,9 @@ pub mod s400 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9134,16 +9525,18 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -9195,14 +9588,16 @@ pub mod s400 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -9254,7 +9649,9 @@ pub mod s400 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9313,7 +9710,9 @@ pub mod s400 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -9322,7 +9721,7 @@ pub mod s400 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -9396,18 +9795,21 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -9516,14 +9918,15 @@ pub mod s400 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -9570,14 +9973,15 @@ pub mod s400 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     impl Carries<Tx> for S400 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -9624,7 +10028,7 @@ pub mod s400 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -9676,11 +10080,11 @@ pub mod s400 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -9837,7 +10241,7 @@ pub mod s400 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -9863,7 +10267,7 @@ pub mod s400 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -9916,25 +10320,25 @@ pub mod s400 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -10000,7 +10404,7 @@ pub mod s400 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -10020,9 +10424,10 @@ pub mod s400 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -10036,7 +10441,7 @@ pub mod s400 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S400, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -10048,17 +10453,17 @@ pub mod s400 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S400, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S400, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S400, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -10074,7 +10479,7 @@ pub mod s400 {
             pub device_type: u32,
             /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
-            /// `0x1002:00` Motion task status value. INT32, ro.
+            /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
             /// `0x1003:00` Drive errors. INT32, ro, TxPDO.
             pub drive_errors: i32,
@@ -10113,75 +10518,75 @@ pub mod s400 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -10208,7 +10613,8 @@ pub mod s400 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -10225,9 +10631,9 @@ pub mod s400 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -10247,27 +10653,27 @@ pub mod s400 {
             pub modes_of_operation: i8,
             /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
-            /// `0x6062:00` Actual position set point. INT32, ro, in increments.
+            /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
             /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments.
             pub position_actual_value_1: i32,
-            /// `0x6064:00` Actual position value. INT32, ro.
+            /// `0x6064:00` Actual position value. INT32, ro, TxPDO.
             pub position_in_si_units: i32,
-            /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144.
+            /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144.
             pub velocity_actual_value: i32,
             /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_setpoint: i16,
             /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280.
             pub current_actual_value: i16,
-            /// `0x607A:00` Motion task target position. INT32, rw.
+            /// `0x607A:00` Motion task target position. INT32, rw, RxPDO.
             pub motion_task_target_position: i32,
-            /// `0x6081:00` Motion task target velocity. INT32, rw.
+            /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO.
             pub motion_task_target_velocity: i32,
-            /// `0x6083:00` Motion task acceleration. INT32, rw.
+            /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO.
             pub motion_task_acceleration: i32,
-            /// `0x6084:00` Motion task deceleration. INT32, rw.
+            /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO.
             pub motion_task_deceleration: i32,
-            /// `0x6086:00` Motion task profile number. INT32, rw.
+            /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO.
             pub motion_task_profile_number: i32,
             /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments.
             pub position_setpoint: i32,
@@ -10275,9 +10681,9 @@ pub mod s400 {
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments.
             pub internal_following_error: i32,
-            /// `0x60FC:00` Actual position set point. INT32, ro, in increments.
+            /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand_internal_value: i32,
-            /// `0x60FD:00` Digital I/O. INT16, ro.
+            /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO.
             pub digital_io: DigitalIo,
             /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144.
             pub velocity_setpoint: i32,
@@ -10336,7 +10742,7 @@ pub mod s400 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -10380,7 +10786,7 @@ pub mod s400 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -10475,8 +10881,8 @@ pub mod s400 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub interpolation_time_period_value: u8,
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
@@ -10514,7 +10920,7 @@ pub mod s400 {
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    15 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     18 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -10625,7 +11031,7 @@ pub mod s400 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -10711,7 +11117,7 @@ pub mod s400 {
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
@@ -11035,17 +11441,17 @@ pub mod s400 {
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
@@ -11059,8 +11465,8 @@ pub mod s400 {
                     280,
                 ),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO)], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
@@ -11081,7 +11487,7 @@ pub mod s600 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -11120,8 +11526,8 @@ pub mod s600 {
     ///
     /// Models: SERVOSTAR 600-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -11142,43 +11548,48 @@ pub mod s600 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S600, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
         pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly> = Entry::new(0x1001, 0);
 
-        /// `0x1002:00` Motion task status value. INT32, ro (3.7.2).
+        /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
         /// How the motion task is doing.
-        pub const MOTION_TASK_STATUS: Entry<S600, i32, ReadOnly> = Entry::new(0x1002, 0);
+        pub const MOTION_TASK_STATUS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1002, 0);
 
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S600, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S600, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -11188,8 +11599,6 @@ pub mod s600 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -11227,7 +11636,7 @@ pub mod s600 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -11243,7 +11652,7 @@ pub mod s600 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -11259,7 +11668,7 @@ pub mod s600 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -11273,9 +11682,9 @@ pub mod s600 {
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -11300,7 +11709,7 @@ pub mod s600 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -11325,7 +11734,7 @@ pub mod s600 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -11347,7 +11756,7 @@ pub mod s600 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -11373,9 +11782,9 @@ pub mod s600 {
             pub const ENTRY_6: Entry<S600, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -11400,13 +11809,13 @@ pub mod s600 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S600, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S600, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -11422,7 +11831,7 @@ pub mod s600 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -11439,9 +11848,9 @@ pub mod s600 {
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -11454,7 +11863,7 @@ pub mod s600 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -11463,7 +11872,7 @@ pub mod s600 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -11476,7 +11885,7 @@ pub mod s600 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -11485,7 +11894,7 @@ pub mod s600 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -11507,7 +11916,7 @@ pub mod s600 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -11523,7 +11932,7 @@ pub mod s600 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -11536,9 +11945,9 @@ pub mod s600 {
             pub const ENTRY_7: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -11551,10 +11960,10 @@ pub mod s600 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -11621,8 +12030,6 @@ pub mod s600 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -11695,14 +12102,14 @@ pub mod s600 {
             /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
             pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -11774,12 +12181,16 @@ pub mod s600 {
             /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
             pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -11787,6 +12198,12 @@ pub mod s600 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -11794,27 +12211,43 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -11823,9 +12256,11 @@ pub mod s600 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -11833,62 +12268,98 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -11896,62 +12367,114 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -11959,59 +12482,111 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -12019,6 +12594,8 @@ pub mod s600 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -12027,40 +12604,64 @@ pub mod s600 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -12070,16 +12671,22 @@ pub mod s600 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S600, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S600, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -12087,6 +12694,12 @@ pub mod s600 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -12094,10 +12707,14 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -12105,26 +12722,36 @@ pub mod s600 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S600, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -12132,29 +12759,42 @@ pub mod s600 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -12162,47 +12802,69 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S600, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -12212,61 +12874,74 @@ pub mod s600 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S600, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S600, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S600, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
         pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
         pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly> = Entry::new(0x6061, 0);
 
-        /// `0x6062:00` Actual position set point. INT32, ro, in increments (3.7.2).
+        /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x60FC shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND: Entry<S600, i32, ReadOnly> = Entry::new(0x6062, 0);
+        pub const POSITION_DEMAND: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6062, 0);
 
         /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -12275,15 +12950,15 @@ pub mod s600 {
         /// Updated in each bus cycle. Recorded as PFB.
         pub const POSITION_ACTUAL_VALUE_1: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6063, 0);
 
-        /// `0x6064:00` Actual position value. INT32, ro (3.7.2).
+        /// `0x6064:00` Actual position value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The position of the motor's encoder in SI units.
-        pub const POSITION_IN_SI_UNITS: Entry<S600, i32, ReadOnly> = Entry::new(0x6064, 0);
+        pub const POSITION_IN_SI_UNITS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x6064, 0);
 
-        /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144 (3.7.2).
+        /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144 (3.7.2).
         ///
         /// The velocity of the motor.
-        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly, Unmapped, AngularVelocity> =
+        pub const VELOCITY_ACTUAL_VALUE: Entry<S600, i32, ReadOnly, Tx, AngularVelocity> =
             Entry::new(0x606C, 0).measured_in(units::VELOCITY);
 
         /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -12302,33 +12977,33 @@ pub mod s600 {
         pub const CURRENT_ACTUAL_VALUE: Entry<S600, i16, ReadOnly, Tx, Scale> =
             Entry::new(0x6077, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x607A:00` Motion task target position. INT32, rw (3.7.1).
+        /// `0x607A:00` Motion task target position. INT32, rw, RxPDO (3.7.1).
         ///
         /// Where the present motion task goes. The set value of cyclic synchronous position mode is 0x60C1.
-        pub const MOTION_TASK_TARGET_POSITION: Entry<S600, i32, ReadWrite> = Entry::new(0x607A, 0);
+        pub const MOTION_TASK_TARGET_POSITION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x607A, 0);
 
-        /// `0x6081:00` Motion task target velocity. INT32, rw (3.7.1).
+        /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// How fast the present motion task goes.
-        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S600, i32, ReadWrite> = Entry::new(0x6081, 0);
+        pub const MOTION_TASK_TARGET_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6081, 0);
 
-        /// `0x6083:00` Motion task acceleration. INT32, rw (3.7.1).
+        /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets faster.
-        pub const MOTION_TASK_ACCELERATION: Entry<S600, i32, ReadWrite> = Entry::new(0x6083, 0);
+        pub const MOTION_TASK_ACCELERATION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6083, 0);
 
-        /// `0x6084:00` Motion task deceleration. INT32, rw (3.7.1).
+        /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task gets slower.
-        pub const MOTION_TASK_DECELERATION: Entry<S600, i32, ReadWrite> = Entry::new(0x6084, 0);
+        pub const MOTION_TASK_DECELERATION: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6084, 0);
 
-        /// `0x6086:00` Motion task profile number. INT32, rw (3.7.1).
+        /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO (3.7.1).
         ///
         /// The profile that a table motion task follows.
         ///
         /// Contradicted, type: The table of objects stands alone against the fixed mapping and the profile,
         /// which agree. Open: INT16 by the profile, and by the two bytes it has in 0x1710.
-        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S600, i32, ReadWrite> = Entry::new(0x6086, 0);
+        pub const MOTION_TASK_PROFILE_NUMBER: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x6086, 0);
 
         /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments (3.7.1).
         ///
@@ -12343,15 +13018,15 @@ pub mod s600 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S600, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite> = Entry::new(0x60C2, 2);
@@ -12364,20 +13039,20 @@ pub mod s600 {
         /// Updated in each bus cycle. Recorded as PE.
         pub const INTERNAL_FOLLOWING_ERROR: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x60F4, 0);
 
-        /// `0x60FC:00` Actual position set point. INT32, ro, in increments (3.7.2).
+        /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The position that the controller is given. 0x6062 shows the same.
         ///
         /// Recorded as S\_SET.
-        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S600, i32, ReadOnly> = Entry::new(0x60FC, 0);
+        pub const POSITION_DEMAND_INTERNAL_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x60FC, 0);
 
-        /// `0x60FD:00` Digital I/O. INT16, ro (3.7.2).
+        /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO (3.7.2).
         ///
         /// The levels of the digital outputs, of the hardware enable and of the digital inputs.
         ///
         /// Contradicted, type: The table of objects and 0x1B0A have two bytes, which are enough for the nine
         /// bits that are described. Open: UINT32 by the profile, and by the four bytes it has in 0x1B0B.
-        pub const DIGITAL_IO: Entry<S600, DigitalIo, ReadOnly> = Entry::new(0x60FD, 0);
+        pub const DIGITAL_IO: Entry<S600, DigitalIo, ReadOnly, Tx> = Entry::new(0x60FD, 0);
 
         /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144 (3.7.1).
         ///
@@ -12387,7 +13062,7 @@ pub mod s600 {
         pub const VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -12399,87 +13074,90 @@ pub mod s600 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -12532,11 +13210,11 @@ pub mod s600 {
     impl core::fmt::Display for Controlword {
         fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
             const FIELDS: &[BitField] = &[
-                BitField::new(0, 1, "switch on"),
-                BitField::new(1, 1, "enable voltage"),
-                BitField::new(2, 1, "quick stop"),
-                BitField::new(3, 1, "enable operation"),
-                BitField::new(7, 1, "fault reset"),
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
                 BitField::new(11, 1, "start homing"),
                 BitField::new(12, 1, "save parameters"),
                 BitField::new(15, 1, "ascii toggle"),
@@ -12571,8 +13249,8 @@ pub mod s600 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -12581,10 +13259,10 @@ pub mod s600 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -12593,17 +13271,17 @@ pub mod s600 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -12621,10 +13299,8 @@ pub mod s600 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -12633,10 +13309,10 @@ pub mod s600 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -12660,17 +13336,17 @@ pub mod s600 {
             const FIELDS: &[BitField] = &[
                 BitField::new(0, 1, "ready to switch on").of_state(),
                 BitField::new(1, 1, "switched on").of_state(),
-                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
                 BitField::new(3, 1, "error").of_state(),
-                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
                 BitField::new(6, 1, "switch on disabled").of_state(),
-                BitField::new(7, 1, "warning"),
-                BitField::new(8, 1, "following error"),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
                 BitField::new(9, 1, "reference point set"),
                 BitField::new(10, 1, "target reached"),
-                BitField::new(11, 1, "limit switch"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
                 BitField::new(12, 1, "ethercat communication ok"),
-                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
                 BitField::new(14, 1, "hardware reset needed"),
                 BitField::new(15, 1, "motion task active"),
             ];
@@ -12750,7 +13426,7 @@ pub mod s600 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -12812,7 +13488,7 @@ pub mod s600 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -13092,7 +13768,7 @@ pub mod s600 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -13115,7 +13791,7 @@ pub mod s600 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -13153,13 +13829,13 @@ pub mod s600 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -13167,7 +13843,7 @@ pub mod s600 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -13193,9 +13869,11 @@ pub mod s600 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13242,9 +13920,11 @@ pub mod s600 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -13291,9 +13971,11 @@ pub mod s600 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -13338,11 +14020,11 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13407,9 +14089,9 @@ pub mod s600 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13474,9 +14156,9 @@ pub mod s600 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13535,9 +14217,9 @@ pub mod s600 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13608,11 +14290,12 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -13627,7 +14310,7 @@ pub mod s600 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -13691,9 +14374,9 @@ pub mod s600 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13740,7 +14423,9 @@ pub mod s600 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13791,16 +14476,18 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13852,14 +14539,16 @@ pub mod s600 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13911,7 +14600,9 @@ pub mod s600 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13970,7 +14661,9 @@ pub mod s600 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13979,7 +14672,7 @@ pub mod s600 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -14053,18 +14746,21 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -14173,14 +14869,15 @@ pub mod s600 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -14227,14 +14924,15 @@ pub mod s600 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     impl Carries<Tx> for S600 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -14281,7 +14979,7 @@ pub mod s600 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -14333,11 +15031,11 @@ pub mod s600 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -14494,7 +15192,7 @@ pub mod s600 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -14520,7 +15218,7 @@ pub mod s600 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -14573,25 +15271,25 @@ pub mod s600 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -14657,7 +15355,7 @@ pub mod s600 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -14677,9 +15375,10 @@ pub mod s600 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -14693,7 +15392,7 @@ pub mod s600 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S600, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -14705,17 +15404,17 @@ pub mod s600 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S600, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S600, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S600, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -14731,7 +15430,7 @@ pub mod s600 {
             pub device_type: u32,
             /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
-            /// `0x1002:00` Motion task status value. INT32, ro.
+            /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
             /// `0x1003:00` Drive errors. INT32, ro, TxPDO.
             pub drive_errors: i32,
@@ -14770,75 +15469,75 @@ pub mod s600 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -14865,7 +15564,8 @@ pub mod s600 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -14882,9 +15582,9 @@ pub mod s600 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -14904,27 +15604,27 @@ pub mod s600 {
             pub modes_of_operation: i8,
             /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
-            /// `0x6062:00` Actual position set point. INT32, ro, in increments.
+            /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
             /// `0x6063:00` Position actual value 1. INT32, ro, TxPDO, in increments.
             pub position_actual_value_1: i32,
-            /// `0x6064:00` Actual position value. INT32, ro.
+            /// `0x6064:00` Actual position value. INT32, ro, TxPDO.
             pub position_in_si_units: i32,
-            /// `0x606C:00` Actual velocity (counts). INT32, ro, in rpm × 1875 ÷ 262144.
+            /// `0x606C:00` Actual velocity (counts). INT32, ro, TxPDO, in rpm × 1875 ÷ 262144.
             pub velocity_actual_value: i32,
             /// `0x6071:00` Current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_setpoint: i16,
             /// `0x6077:00` Current actual value. INT16, ro, TxPDO, in Ipeak ÷ 3280.
             pub current_actual_value: i16,
-            /// `0x607A:00` Motion task target position. INT32, rw.
+            /// `0x607A:00` Motion task target position. INT32, rw, RxPDO.
             pub motion_task_target_position: i32,
-            /// `0x6081:00` Motion task target velocity. INT32, rw.
+            /// `0x6081:00` Motion task target velocity. INT32, rw, RxPDO.
             pub motion_task_target_velocity: i32,
-            /// `0x6083:00` Motion task acceleration. INT32, rw.
+            /// `0x6083:00` Motion task acceleration. INT32, rw, RxPDO.
             pub motion_task_acceleration: i32,
-            /// `0x6084:00` Motion task deceleration. INT32, rw.
+            /// `0x6084:00` Motion task deceleration. INT32, rw, RxPDO.
             pub motion_task_deceleration: i32,
-            /// `0x6086:00` Motion task profile number. INT32, rw.
+            /// `0x6086:00` Motion task profile number. INT32, rw, RxPDO.
             pub motion_task_profile_number: i32,
             /// `0x60C1:00` Position setpoint. INT32, rw, RxPDO, in increments.
             pub position_setpoint: i32,
@@ -14932,9 +15632,9 @@ pub mod s600 {
             pub interpolation_time_period: InterpolationTimePeriod,
             /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments.
             pub internal_following_error: i32,
-            /// `0x60FC:00` Actual position set point. INT32, ro, in increments.
+            /// `0x60FC:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand_internal_value: i32,
-            /// `0x60FD:00` Digital I/O. INT16, ro.
+            /// `0x60FD:00` Digital I/O. INT16, ro, TxPDO.
             pub digital_io: DigitalIo,
             /// `0x60FF:00` Velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 262144.
             pub velocity_setpoint: i32,
@@ -14993,7 +15693,7 @@ pub mod s600 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -15037,7 +15737,7 @@ pub mod s600 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -15132,8 +15832,8 @@ pub mod s600 {
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub interpolation_time_period_value: u8,
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
@@ -15171,7 +15871,7 @@ pub mod s600 {
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    15 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     18 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -15282,7 +15982,7 @@ pub mod s600 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -15368,7 +16068,7 @@ pub mod s600 {
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
-                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
                 object(ObjectCode::Variable, 0, 5, &[entry(0, 0, DataType::VISIBLE_STRING, 64, RO)], 0),
@@ -15692,17 +16392,17 @@ pub mod s600 {
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
+                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+                object(ObjectCode::Variable, 0, 52, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 54, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 55, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
                 object(
                     ObjectCode::Record,
@@ -15716,8 +16416,8 @@ pub mod s600 {
                     280,
                 ),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO)], 0),
+                object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
             ],
         };
@@ -15738,7 +16438,7 @@ pub mod s700 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -15777,8 +16477,8 @@ pub mod s700 {
     ///
     /// Models: S700.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -15799,17 +16499,20 @@ pub mod s700 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S700, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -15819,23 +16522,25 @@ pub mod s700 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S700, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S700, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -15845,8 +16550,6 @@ pub mod s700 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -15980,14 +16683,11 @@ pub mod s700 {
 
             /// `0x1600:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
             pub const ENTRY_30: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 30);
-
-            /// `0x1600:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_31: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 31);
         }
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -16003,7 +16703,7 @@ pub mod s700 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -16019,7 +16719,7 @@ pub mod s700 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -16033,9 +16733,9 @@ pub mod s700 {
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -16060,7 +16760,7 @@ pub mod s700 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -16085,7 +16785,7 @@ pub mod s700 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -16107,7 +16807,7 @@ pub mod s700 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -16133,9 +16833,9 @@ pub mod s700 {
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -16160,13 +16860,13 @@ pub mod s700 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x170A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod rx_pdo_170a {
             use super::*;
 
@@ -16179,13 +16879,13 @@ pub mod s700 {
             /// `0x170A:02` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x170A, 2);
 
-            /// `0x170A:03` State of digital output. UINT32, ro, default 0x23020010.
+            /// `0x170A:03` Set value for digital output1/bit 0 and output2/bit 1. UINT32, ro, default 0x23020010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x170A, 3);
         }
 
         /// `0x1710` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod rx_pdo_1710 {
             use super::*;
 
@@ -16219,7 +16919,7 @@ pub mod s700 {
 
         /// `0x1711` Position interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 11.
         pub mod rx_pdo_1711 {
             use super::*;
 
@@ -16229,10 +16929,10 @@ pub mod s700 {
             /// `0x1711:01` Position setpoint. UINT32, ro, default 0x60C10020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 1);
 
-            /// `0x1711:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1711:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 2);
 
-            /// `0x1711:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1711:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 3);
 
             /// `0x1711:04` Current limit. UINT32, ro, default 0x20610010.
@@ -16247,7 +16947,7 @@ pub mod s700 {
 
         /// `0x1712` Velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 12.
         pub mod rx_pdo_1712 {
             use super::*;
 
@@ -16257,10 +16957,10 @@ pub mod s700 {
             /// `0x1712:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 1);
 
-            /// `0x1712:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1712:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 2);
 
-            /// `0x1712:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1712:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 3);
 
             /// `0x1712:04` Current limit. UINT32, ro, default 0x20610010.
@@ -16275,7 +16975,7 @@ pub mod s700 {
 
         /// `0x1714` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod rx_pdo_1714 {
             use super::*;
 
@@ -16288,16 +16988,16 @@ pub mod s700 {
             /// `0x1714:02` DPRVAR2 (lower 16 bits). UINT32, ro, default 0x23060010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 2);
 
-            /// `0x1714:03` DPRVAR3. UINT32, ro, default 0x20900320.
+            /// `0x1714:03` DPRVAR3 (32 bits). UINT32, ro, default 0x20900320.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 3);
 
-            /// `0x1714:04` DPRVAR4. UINT32, ro, default 0x20900420.
+            /// `0x1714:04` DPRVAR4 (32 bits). UINT32, ro, default 0x20900420.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 4);
 
-            /// `0x1714:05` DPRVAR5. UINT32, ro, default 0x20900520.
+            /// `0x1714:05` DPRVAR5 (32 bits). UINT32, ro, default 0x20900520.
             pub const ENTRY_5: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 5);
 
-            /// `0x1714:06` DPRVAR6. UINT32, ro, default 0x20900620.
+            /// `0x1714:06` DPRVAR6 (32 bits). UINT32, ro, default 0x20900620.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 6);
         }
 
@@ -16405,191 +17105,11 @@ pub mod s700 {
 
             /// `0x1A00:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
             pub const ENTRY_32: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 32);
-
-            /// `0x1A00:21` SubIndex 033. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_33: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 33);
-
-            /// `0x1A00:22` SubIndex 034. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_34: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 34);
-
-            /// `0x1A00:23` SubIndex 035. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_35: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 35);
-
-            /// `0x1A00:24` SubIndex 036. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_36: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 36);
-
-            /// `0x1A00:25` SubIndex 037. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_37: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 37);
-
-            /// `0x1A00:26` SubIndex 038. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_38: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 38);
-
-            /// `0x1A00:27` SubIndex 039. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_39: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 39);
-
-            /// `0x1A00:28` SubIndex 040. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_40: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 40);
-
-            /// `0x1A00:29` SubIndex 041. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_41: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 41);
-
-            /// `0x1A00:2A` SubIndex 042. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_42: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 42);
-
-            /// `0x1A00:2B` SubIndex 043. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_43: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 43);
-
-            /// `0x1A00:2C` SubIndex 044. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_44: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 44);
-
-            /// `0x1A00:2D` SubIndex 045. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_45: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 45);
-
-            /// `0x1A00:2E` SubIndex 046. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_46: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 46);
-
-            /// `0x1A00:2F` SubIndex 047. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_47: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 47);
-
-            /// `0x1A00:30` SubIndex 048. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_48: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 48);
-
-            /// `0x1A00:31` SubIndex 049. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_49: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 49);
-
-            /// `0x1A00:32` SubIndex 050. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_50: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 50);
-
-            /// `0x1A00:33` SubIndex 051. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_51: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 51);
-
-            /// `0x1A00:34` SubIndex 052. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_52: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 52);
-
-            /// `0x1A00:35` SubIndex 053. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_53: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 53);
-
-            /// `0x1A00:36` SubIndex 054. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_54: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 54);
-
-            /// `0x1A00:37` SubIndex 055. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_55: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 55);
-
-            /// `0x1A00:38` SubIndex 056. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_56: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 56);
-
-            /// `0x1A00:39` SubIndex 057. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_57: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 57);
-
-            /// `0x1A00:3A` SubIndex 058. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_58: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 58);
-
-            /// `0x1A00:3B` SubIndex 059. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_59: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 59);
-
-            /// `0x1A00:3C` SubIndex 060. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_60: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 60);
-
-            /// `0x1A00:3D` SubIndex 061. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_61: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 61);
-
-            /// `0x1A00:3E` SubIndex 062. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_62: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 62);
-
-            /// `0x1A00:3F` SubIndex 063. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_63: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 63);
-
-            /// `0x1A00:40` SubIndex 064. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_64: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 64);
-
-            /// `0x1A00:41` SubIndex 065. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_65: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 65);
-
-            /// `0x1A00:42` SubIndex 066. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_66: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 66);
-
-            /// `0x1A00:43` SubIndex 067. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_67: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 67);
-
-            /// `0x1A00:44` SubIndex 068. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_68: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 68);
-
-            /// `0x1A00:45` SubIndex 069. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_69: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 69);
-
-            /// `0x1A00:46` SubIndex 070. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_70: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 70);
-
-            /// `0x1A00:47` SubIndex 071. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_71: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 71);
-
-            /// `0x1A00:48` SubIndex 072. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_72: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 72);
-
-            /// `0x1A00:49` SubIndex 073. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_73: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 73);
-
-            /// `0x1A00:4A` SubIndex 074. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_74: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 74);
-
-            /// `0x1A00:4B` SubIndex 075. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_75: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 75);
-
-            /// `0x1A00:4C` SubIndex 076. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_76: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 76);
-
-            /// `0x1A00:4D` SubIndex 077. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_77: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 77);
-
-            /// `0x1A00:4E` SubIndex 078. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_78: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 78);
-
-            /// `0x1A00:4F` SubIndex 079. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_79: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 79);
-
-            /// `0x1A00:50` SubIndex 080. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_80: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 80);
-
-            /// `0x1A00:51` SubIndex 081. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_81: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 81);
-
-            /// `0x1A00:52` SubIndex 082. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_82: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 82);
-
-            /// `0x1A00:53` SubIndex 083. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_83: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 83);
-
-            /// `0x1A00:54` SubIndex 084. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_84: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 84);
-
-            /// `0x1A00:55` SubIndex 085. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_85: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 85);
-
-            /// `0x1A00:56` SubIndex 086. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_86: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 86);
-
-            /// `0x1A00:57` SubIndex 087. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_87: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 87);
-
-            /// `0x1A00:58` SubIndex 088. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_88: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 88);
-
-            /// `0x1A00:59` SubIndex 089. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_89: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 89);
-
-            /// `0x1A00:5A` SubIndex 090. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_90: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 90);
-
-            /// `0x1A00:5B` SubIndex 091. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_91: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 91);
-
-            /// `0x1A00:5C` SubIndex 092. UINT32, rw, written in PreOP only, default 0.
-            pub const ENTRY_92: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 92);
         }
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -16605,7 +17125,7 @@ pub mod s700 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -16622,9 +17142,9 @@ pub mod s700 {
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -16637,7 +17157,7 @@ pub mod s700 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -16646,7 +17166,7 @@ pub mod s700 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -16659,7 +17179,7 @@ pub mod s700 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -16668,7 +17188,7 @@ pub mod s700 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -16690,7 +17210,7 @@ pub mod s700 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -16706,7 +17226,7 @@ pub mod s700 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -16719,9 +17239,9 @@ pub mod s700 {
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -16734,10 +17254,10 @@ pub mod s700 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -16752,7 +17272,7 @@ pub mod s700 {
 
         /// `0x1B0A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod tx_pdo_1b0a {
             use super::*;
 
@@ -16768,13 +17288,13 @@ pub mod s700 {
             /// `0x1B0A:03` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0A, 3);
 
-            /// `0x1B0A:04` Digital I/O. UINT32, ro, default 0x60FD0010.
+            /// `0x1B0A:04` Digital input state. UINT32, ro, default 0x60FD0010.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0A, 4);
         }
 
         /// `0x1B0B` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod tx_pdo_1b0b {
             use super::*;
 
@@ -16787,7 +17307,7 @@ pub mod s700 {
             /// `0x1B0B:02` Position actual value 2. UINT32, ro, default 0x20500020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 2);
 
-            /// `0x1B0B:03` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0B:03` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 3);
 
             /// `0x1B0B:04` Current actual value. UINT32, ro, default 0x60770010.
@@ -16796,13 +17316,13 @@ pub mod s700 {
             /// `0x1B0B:05` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_5: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 5);
 
-            /// `0x1B0B:06` Drive errors. UINT32, ro, default 0x10030020.
+            /// `0x1B0B:06` Drive error status. UINT32, ro, default 0x10030020.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 6);
 
             /// `0x1B0B:07` Drive warnings. UINT32, ro, default 0x20000020.
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 7);
 
-            /// `0x1B0B:08` Digital I/O. UINT32, ro, default 0x60FD0020.
+            /// `0x1B0B:08` Digital input state. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_8: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 8);
 
             /// `0x1B0B:09` Analog input 1. UINT32, ro, default 0x20B20110.
@@ -16820,7 +17340,7 @@ pub mod s700 {
 
         /// `0x1B0C` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod tx_pdo_1b0c {
             use super::*;
 
@@ -16830,7 +17350,7 @@ pub mod s700 {
             /// `0x1B0C:01` Position actual value 1. UINT32, ro, default 0x60630020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0C, 1);
 
-            /// `0x1B0C:02` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0C:02` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0C, 2);
 
             /// `0x1B0C:03` Statusword. UINT32, ro, default 0x60410010.
@@ -16909,8 +17429,6 @@ pub mod s700 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -16980,17 +17498,17 @@ pub mod s700 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S700, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -17059,15 +17577,19 @@ pub mod s700 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S700, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -17075,6 +17597,12 @@ pub mod s700 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -17082,27 +17610,43 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -17111,9 +17655,11 @@ pub mod s700 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -17121,62 +17667,98 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -17184,62 +17766,114 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -17247,59 +17881,111 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -17307,6 +17993,8 @@ pub mod s700 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -17315,40 +18003,64 @@ pub mod s700 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -17358,16 +18070,22 @@ pub mod s700 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S700, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S700, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -17375,6 +18093,12 @@ pub mod s700 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -17382,10 +18106,14 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -17393,26 +18121,36 @@ pub mod s700 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S700, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -17420,29 +18158,42 @@ pub mod s700 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -17450,47 +18201,69 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S700, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -17500,54 +18273,67 @@ pub mod s700 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S700, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S700, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S700, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -17631,15 +18417,15 @@ pub mod s700 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S700, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite> = Entry::new(0x60C2, 2);
@@ -17675,7 +18461,7 @@ pub mod s700 {
         pub const VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -17687,87 +18473,90 @@ pub mod s700 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -17820,11 +18609,11 @@ pub mod s700 {
     impl core::fmt::Display for Controlword {
         fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
             const FIELDS: &[BitField] = &[
-                BitField::new(0, 1, "switch on"),
-                BitField::new(1, 1, "enable voltage"),
-                BitField::new(2, 1, "quick stop"),
-                BitField::new(3, 1, "enable operation"),
-                BitField::new(7, 1, "fault reset"),
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
                 BitField::new(11, 1, "start homing"),
                 BitField::new(12, 1, "save parameters"),
                 BitField::new(15, 1, "ascii toggle"),
@@ -17859,8 +18648,8 @@ pub mod s700 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -17869,10 +18658,10 @@ pub mod s700 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -17881,17 +18670,17 @@ pub mod s700 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -17909,10 +18698,8 @@ pub mod s700 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -17921,10 +18708,10 @@ pub mod s700 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -17948,17 +18735,17 @@ pub mod s700 {
             const FIELDS: &[BitField] = &[
                 BitField::new(0, 1, "ready to switch on").of_state(),
                 BitField::new(1, 1, "switched on").of_state(),
-                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
                 BitField::new(3, 1, "error").of_state(),
-                BitField::new(5, 1, "no quick stop").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
                 BitField::new(6, 1, "switch on disabled").of_state(),
-                BitField::new(7, 1, "warning"),
-                BitField::new(8, 1, "following error"),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
                 BitField::new(9, 1, "reference point set"),
                 BitField::new(10, 1, "target reached"),
-                BitField::new(11, 1, "limit switch"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
                 BitField::new(12, 1, "ethercat communication ok"),
-                BitField::new(13, 1, "homing error or quick stop"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
                 BitField::new(14, 1, "hardware reset needed"),
                 BitField::new(15, 1, "motion task active"),
             ];
@@ -18038,7 +18825,7 @@ pub mod s700 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -18100,7 +18887,7 @@ pub mod s700 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -18392,7 +19179,7 @@ pub mod s700 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -18415,7 +19202,7 @@ pub mod s700 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -18453,13 +19240,13 @@ pub mod s700 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -18467,7 +19254,7 @@ pub mod s700 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -18532,9 +19319,11 @@ pub mod s700 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18581,9 +19370,11 @@ pub mod s700 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -18630,9 +19421,11 @@ pub mod s700 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -18677,11 +19470,11 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18746,9 +19539,9 @@ pub mod s700 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18813,9 +19606,9 @@ pub mod s700 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18874,9 +19667,9 @@ pub mod s700 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18947,11 +19740,12 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -18966,7 +19760,7 @@ pub mod s700 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -19030,9 +19824,11 @@ pub mod s700 {
 
     /// `0x170A` Position interface with digital I/O, 8 bytes.
     ///
-    /// Goes with 0x1B0A.
+    /// Interface 9. Goes with 0x1B0A.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 9.
+    ///
+    /// Assumed, mode: from its name and its set value.
     ///
     /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
     /// 0x1B0A are swapped.
@@ -19042,7 +19838,7 @@ pub mod s700 {
         pub position_setpoint: i32,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x2302:00` State of digital output.
+        /// `0x2302:00` Set value for digital output1/bit 0 and output2/bit 1.
         pub digital_outputs: DigitalOutputs,
     }
 
@@ -19088,9 +19884,9 @@ pub mod s700 {
 
     /// `0x1710` Motion tasks with I/O and actual values, 26 bytes.
     ///
-    /// Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1710 {
         /// `0x607A:00` Motion task target position.
@@ -19181,16 +19977,18 @@ pub mod s700 {
 
     /// `0x1711` Position interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 11. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 11.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
         pub position_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -19256,16 +20054,18 @@ pub mod s700 {
 
     /// `0x1712` Velocity interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 12. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 12.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
         pub velocity_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -19331,23 +20131,23 @@ pub mod s700 {
 
     /// `0x1714` Macro program interface, 20 bytes.
     ///
-    /// Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
+    /// Interface 13. Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1714 {
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
         /// `0x2306:00` DPRVAR2 (lower 16 bits).
         pub dprvar_2_low: i16,
-        /// `0x2090:03` DPRVAR3.
-        pub dprvar_set_dprvar3: i32,
-        /// `0x2090:04` DPRVAR4.
-        pub dprvar_set_dprvar4: i32,
-        /// `0x2090:05` DPRVAR5.
-        pub dprvar_set_dprvar5: i32,
-        /// `0x2090:06` DPRVAR6.
-        pub dprvar_set_dprvar6: i32,
+        /// `0x2090:03` DPRVAR3 (32 bits).
+        pub dprvar_set_dprvar3_32_bits: i32,
+        /// `0x2090:04` DPRVAR4 (32 bits).
+        pub dprvar_set_dprvar4_32_bits: i32,
+        /// `0x2090:05` DPRVAR5 (32 bits).
+        pub dprvar_set_dprvar5_32_bits: i32,
+        /// `0x2090:06` DPRVAR6 (32 bits).
+        pub dprvar_set_dprvar6_32_bits: i32,
     }
 
     impl RxPdo1714 {
@@ -19356,10 +20156,10 @@ pub mod s700 {
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
-            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3.to_le_bytes();
-            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4.to_le_bytes();
-            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5.to_le_bytes();
-            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6.to_le_bytes();
+            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3_32_bits.to_le_bytes();
+            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4_32_bits.to_le_bytes();
+            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5_32_bits.to_le_bytes();
+            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6_32_bits.to_le_bytes();
             [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]
         }
 
@@ -19373,10 +20173,10 @@ pub mod s700 {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
                 dprvar_2_low: i16::from_le_bytes([b2, b3]),
-                dprvar_set_dprvar3: i32::from_le_bytes([b4, b5, b6, b7]),
-                dprvar_set_dprvar4: i32::from_le_bytes([b8, b9, b10, b11]),
-                dprvar_set_dprvar5: i32::from_le_bytes([b12, b13, b14, b15]),
-                dprvar_set_dprvar6: i32::from_le_bytes([b16, b17, b18, b19]),
+                dprvar_set_dprvar3_32_bits: i32::from_le_bytes([b4, b5, b6, b7]),
+                dprvar_set_dprvar4_32_bits: i32::from_le_bytes([b8, b9, b10, b11]),
+                dprvar_set_dprvar5_32_bits: i32::from_le_bytes([b12, b13, b14, b15]),
+                dprvar_set_dprvar6_32_bits: i32::from_le_bytes([b16, b17, b18, b19]),
             }
         }
     }
@@ -19387,10 +20187,10 @@ pub mod s700 {
         pub RxPdo1714View of RxPdo1714, 20;
         controlword, set_controlword: Controlword => 0, 16;
         dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
-        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
-        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
-        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
-        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
+        dprvar_set_dprvar3_32_bits, set_dprvar_set_dprvar3_32_bits: i32 => 32, 32;
+        dprvar_set_dprvar4_32_bits, set_dprvar_set_dprvar4_32_bits: i32 => 64, 32;
+        dprvar_set_dprvar5_32_bits, set_dprvar_set_dprvar5_32_bits: i32 => 96, 32;
+        dprvar_set_dprvar6_32_bits, set_dprvar_set_dprvar6_32_bits: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -19447,9 +20247,9 @@ pub mod s700 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19496,7 +20296,9 @@ pub mod s700 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19547,16 +20349,18 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -19608,14 +20412,16 @@ pub mod s700 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -19667,7 +20473,9 @@ pub mod s700 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19726,7 +20534,9 @@ pub mod s700 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -19735,7 +20545,7 @@ pub mod s700 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -19809,18 +20619,21 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -19892,7 +20705,9 @@ pub mod s700 {
 
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 9.
+    ///
+    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -19904,7 +20719,7 @@ pub mod s700 {
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
     }
 
@@ -19954,26 +20769,26 @@ pub mod s700 {
 
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
     ///
-    /// More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x2050:00` Position actual value 2, in increments.
         pub position_actual_value_2: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x1003:00` Drive errors.
+        /// `0x1003:00` Drive error status.
         pub drive_errors: i32,
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,
@@ -20073,14 +20888,15 @@ pub mod s700 {
 
     /// `0x1B0C` Macro program interface, 28 bytes.
     ///
-    /// DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
+    /// 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -20239,14 +21055,12 @@ pub mod s700 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -20293,14 +21107,12 @@ pub mod s700 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S700 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -20589,7 +21401,7 @@ pub mod s700 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -20641,11 +21453,11 @@ pub mod s700 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -20802,7 +21614,7 @@ pub mod s700 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -20828,7 +21640,7 @@ pub mod s700 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -20881,25 +21693,25 @@ pub mod s700 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -20965,7 +21777,7 @@ pub mod s700 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -20985,9 +21797,10 @@ pub mod s700 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -21001,7 +21814,7 @@ pub mod s700 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S700, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -21013,17 +21826,17 @@ pub mod s700 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S700, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S700, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S700, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -21037,7 +21850,7 @@ pub mod s700 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -21054,11 +21867,11 @@ pub mod s700 {
             /// `0x1600` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
-            pub rx_pdo_1600: sdo::List<u32, 31>,
+            pub rx_pdo_1600: sdo::List<u32, 30>,
             /// `0x1A00` Free mapping.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
-            pub tx_pdo_1a00: sdo::List<u32, 92>,
+            pub tx_pdo_1a00: sdo::List<u32, 32>,
             /// `0x1C12` Sync manager 2 PDO assignment.
             ///
             /// UINT8, rw, written in PreOP only, default 1.
@@ -21086,75 +21899,75 @@ pub mod s700 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -21181,7 +21994,8 @@ pub mod s700 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -21198,9 +22012,9 @@ pub mod s700 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -21216,9 +22030,9 @@ pub mod s700 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -21278,16 +22092,14 @@ pub mod s700 {
                     count: 1,
                     items: [
                         0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0,
                     ],
                 },
                 tx_pdo_1a00: sdo::List {
                     count: 1,
                     items: [
                         0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0,
                     ],
                 },
                 sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1702] },
@@ -21325,7 +22137,7 @@ pub mod s700 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -21369,7 +22181,7 @@ pub mod s700 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -21426,7 +22238,7 @@ pub mod s700 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -21457,15 +22269,15 @@ pub mod s700 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only.
-            pub interpolation_time_period_value: u8,
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
             /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
@@ -21511,7 +22323,7 @@ pub mod s700 {
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     20 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -21622,7 +22434,7 @@ pub mod s700 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -21723,7 +22535,7 @@ pub mod s700 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -21749,7 +22561,7 @@ pub mod s700 {
                 ObjectCode::Record,
                 0,
                 8,
-                &const { EntryInfo::counted::<32>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
+                &const { EntryInfo::counted::<31>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -21840,7 +22652,7 @@ pub mod s700 {
                 ObjectCode::Record,
                 0,
                 9,
-                &const { EntryInfo::counted::<93>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
+                &const { EntryInfo::counted::<33>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -21950,7 +22762,7 @@ pub mod s700 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -21972,7 +22784,7 @@ pub mod s700 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -22118,8 +22930,8 @@ pub mod s700 {
             objects: &[
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),

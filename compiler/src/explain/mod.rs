@@ -1,7 +1,8 @@
-//! What devc knows of a word: the rule of this name, or what the profiles say of it.
+//! What devc knows of a word: the rule or the kind of change of this name, or what the profiles say of it.
 //!
-//! Questions are asked of trees, as files of TOML are parsed into, so that a description could be asked as well.
+//! Questions are asked of trees, as files of TOML are parsed into, so that a description can be asked as well.
 
+mod bits;
 mod entity;
 mod find;
 mod layout;
@@ -13,8 +14,14 @@ mod tree;
 mod view;
 mod word;
 
-use crate::diagnostic::Rule;
-use crate::{profiles, rules};
+use std::path::Path;
+
+use crate::diagnostic::{Diagnostics, Rule};
+use crate::diff::Kind;
+use crate::raw::over_profile;
+use crate::source::{Loader, Sources, load};
+use crate::{diff, profiles, rules};
+pub use bits::word as explain_word;
 use find::{Found, find};
 use tree::Trees;
 use word::Phrase;
@@ -26,7 +33,7 @@ pub struct Unknown {
     pub near: Vec<String>,
 }
 
-/// Tells what is known of some words: the name of a rule or a profile; an index, a code, an id or a name of what profiles
+/// Tells what is known of some words: the name of a rule, a kind of change or a profile; an index, a code, an id or a name of what profiles
 /// have, which the name of a profile and a word such as `mode` or `error` in front may narrow.
 ///
 /// # Errors
@@ -37,7 +44,29 @@ pub fn explain(words: &[String]) -> Result<String, Unknown> {
     {
         return Ok(of_rule(rule));
     }
+    if let [name] = words
+        && let Ok(kind) = diff::find(name)
+    {
+        return Ok(of_kind(kind));
+    }
     answer(&Trees::of(profiles::ALL), &Phrase::new(words))
+}
+
+/// Tells what the description at `path` says of some words, as [`explain`] tells of profiles; none if there is no
+/// description that can be read.
+///
+/// # Errors
+/// If it says nothing of them.
+pub fn explain_description(
+    loader: &dyn Loader,
+    path: &Path,
+    words: &[String],
+) -> Option<Result<String, Unknown>> {
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let document = load(loader, path, profiles::ALL, &mut sources, &mut diagnostics)?;
+    let root = over_profile(&document.root, &document.profile);
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    Some(answer(&Trees::one(name, root, sources), &Phrase::new(words)))
 }
 
 /// What trees say of a phrase.
@@ -56,6 +85,11 @@ fn answer(trees: &Trees, phrase: &Phrase) -> Result<String, Unknown> {
 fn of_rule(rule: &Rule) -> String {
     let (summary, level, docs) = (rule.summary, rules::default_level(rule), rules::docs(rule));
     format!("{}: {summary} ({level})\n\n{docs}", rule.name)
+}
+
+/// A kind of change with all that its author says of it.
+fn of_kind(kind: &Kind) -> String {
+    format!("{}: {} ({})\n\n{}", kind.name, kind.summary, kind.class.name(), kind.text())
 }
 
 #[cfg(test)]
