@@ -29,7 +29,7 @@ fn word(scope: &Scope<'_>, word: &Word) -> Option<TokenStream> {
     let mut methods: Vec<TokenStream> = general.map(|field| bits.methods(field, None)).collect();
     methods.extend(of_modes(scope, word, &mut bits));
     let shows_state = word.address == super::types::address(0x6041) && !scope.device.states.is_empty();
-    let (state, display) = (shows_state.then(state), display(scope, word, &name, shows_state));
+    let (state, display) = (shows_state.then(state), display(scope, word, name, shows_state));
     Some(quote! {
         #doc
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
