@@ -2,7 +2,7 @@
 
 use devc_runtime::Device;
 use devc_runtime::object::{Entry, ReadOnly, ReadWrite};
-use devc_runtime::pdo::{Rx, Unmapped};
+use devc_runtime::pdo::Unmapped;
 use devc_runtime::unit::{Angle, AngularVelocity, Force, Length, Motion, Scale, Torque, Unfit};
 
 #[expect(unreachable_pub, reason = "a device is public, a test is not")]

@@ -157,9 +157,7 @@ fn inputs_are_made_as_they_are_mapped() {
     let server = &mut mailbox.server;
     server.values.ratio = 1.5;
     server.values.ready = true;
-    for value in [&[5_u8][..]] {
-        assert_eq!(server.download(Address::new(0x2001, 0), PreOperational, value), Ok(()));
-    }
+    assert_eq!(server.download(Address::new(0x2001, 0), PreOperational, &[5]), Ok(()));
     let mut image = vec![0xFF; server.image_len::<Tx>()];
     assert_eq!(server.pack_inputs(&mut image), Ok(()));
     let parts = [
