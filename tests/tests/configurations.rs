@@ -55,7 +55,8 @@ fn capacity(folder: &str, member: &str, index: u16) -> (usize, usize) {
     let mut members = family.members.iter();
     let device = members.find(|device| device.id == member).expect("there is this member");
     let object = device.object(Index(index)).expect("each PDO has one");
-    let used = object.entries[0].default.as_ref().and_then(devc::model::Value::integer);
+    let count = object.entry(0).and_then(|count| count.default.as_ref());
+    let used = count.and_then(devc::model::Value::integer);
     (object.entries.len() - 1, used.expect("it is a number").try_into().expect("it is small"))
 }
 
