@@ -45,7 +45,7 @@ use ::devc_runtime::cia402::{
     Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
 };
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
     Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     Unmapped,
@@ -1242,6 +1242,19 @@ impl Controlword {
     }
 }
 
+impl core::fmt::Display for Controlword {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        const FIELDS: &[BitField] = &[
+            BitField::new(0, 1, "switch on"),
+            BitField::new(1, 1, "enable voltage"),
+            BitField::new(2, 1, "quick stop"),
+            BitField::new(3, 1, "enable operation"),
+            BitField::new(7, 1, "fault reset"),
+        ];
+        ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+    }
+}
+
 ::devc_runtime::value!(Controlword as u16);
 
 /// `0x6041` Statusword.
@@ -1371,6 +1384,23 @@ impl Statusword {
     }
 }
 
+impl core::fmt::Display for Statusword {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        const FIELDS: &[BitField] = &[
+            BitField::new(0, 1, "ready to switch on").of_state(),
+            BitField::new(1, 1, "switched on").of_state(),
+            BitField::new(2, 1, "operation enabled").of_state(),
+            BitField::new(3, 1, "fault").of_state(),
+            BitField::new(4, 1, "voltage enabled"),
+            BitField::new(5, 1, "quick stop").of_state(),
+            BitField::new(6, 1, "switch on disabled").of_state(),
+            BitField::new(7, 1, "warning"),
+            BitField::new(11, 1, "internal limit active"),
+        ];
+        ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+    }
+}
+
 ::devc_runtime::value!(Statusword as u16);
 
 /// `0x1001` Error register.
@@ -1415,6 +1445,21 @@ impl ErrorRegister {
     /// Bit 7: manufacturer-specific error code.
     pub const fn manufacturer_specific_error_code(self) -> bool {
         self.0 & 1 << 7 != 0
+    }
+}
+
+impl core::fmt::Display for ErrorRegister {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        const FIELDS: &[BitField] = &[
+            BitField::new(0, 1, "generic error"),
+            BitField::new(1, 1, "current"),
+            BitField::new(2, 1, "voltage"),
+            BitField::new(3, 1, "temperature"),
+            BitField::new(4, 1, "communication"),
+            BitField::new(5, 1, "device profile specific error"),
+            BitField::new(7, 1, "manufacturer specific error code"),
+        ];
+        ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
     }
 }
 
@@ -2397,7 +2442,8 @@ impl BringUp for C887 {
     ];
 }
 
-/// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+/// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+/// then.
 pub mod configurations {
     use super::*;
 
@@ -3274,9 +3320,13 @@ pub mod dictionary {
         /// `0x1C00` Sync Manager communication types.
         pub sync_manager_communication_type: SyncManagerCommunicationType,
         /// `0x1C12` Sync Manage r2 PDO assignment.
-        pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+        ///
+        /// UINT8, rw, written in PreOP only, default 6.
+        pub sync_manager_2_pdo_assignment: sdo::List<u16, 7>,
         /// `0x1C13` Sync Manager3 PDO assignment.
-        pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+        ///
+        /// UINT8, rw, written in PreOP only, default 6.
+        pub sync_manager_3_pdo_assignment: sdo::List<u16, 6>,
         /// `0x1C32` Configuration DC modus.
         pub sm_output_parameter: SmOutputParameter,
         /// `0x1C33` SM input parameter.
@@ -3368,24 +3418,13 @@ pub mod dictionary {
                 entry_3: Entry3(3),
                 entry_4: Entry4(4),
             },
-            sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                highest_subindex_supported: 6,
-                entry_1: 0x1600,
-                entry_2: 0x1610,
-                entry_3: 0x1620,
-                entry_4: 0x1630,
-                entry_5: 0x1640,
-                entry_6: 0x1650,
-                entry_7: 0,
+            sync_manager_2_pdo_assignment: sdo::List {
+                count: 6,
+                items: [0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650, 0],
             },
-            sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                highest_subindex_supported: 6,
-                entry_1: 0x1A00,
-                entry_2: 0x1A10,
-                entry_3: 0x1A20,
-                entry_4: 0x1A30,
-                entry_5: 0x1A40,
-                entry_6: 0x1A50,
+            sync_manager_3_pdo_assignment: sdo::List {
+                count: 6,
+                items: [0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
             },
             sm_output_parameter: SmOutputParameter {
                 synchronization_type: SynchronizationType(2),
@@ -3545,46 +3584,6 @@ pub mod dictionary {
         pub entry_4: Entry4,
     }
 
-    /// `0x1C12` Sync Manage r2 PDO assignment.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct SyncManager2PdoAssignment {
-        /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
-        pub highest_subindex_supported: u8,
-        /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1600.
-        pub entry_1: u16,
-        /// `0x1C12:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1610.
-        pub entry_2: u16,
-        /// `0x1C12:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1620.
-        pub entry_3: u16,
-        /// `0x1C12:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1630.
-        pub entry_4: u16,
-        /// `0x1C12:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1640.
-        pub entry_5: u16,
-        /// `0x1C12:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1650.
-        pub entry_6: u16,
-        /// `0x1C12:07` SubIndex 007. UINT16, rw, written in PreOP only, default 0.
-        pub entry_7: u16,
-    }
-
-    /// `0x1C13` Sync Manager3 PDO assignment.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct SyncManager3PdoAssignment {
-        /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 6.
-        pub highest_subindex_supported: u8,
-        /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1A00.
-        pub entry_1: u16,
-        /// `0x1C13:02` SubIndex 002. UINT16, rw, written in PreOP only, default 0x1A10.
-        pub entry_2: u16,
-        /// `0x1C13:03` SubIndex 003. UINT16, rw, written in PreOP only, default 0x1A20.
-        pub entry_3: u16,
-        /// `0x1C13:04` SubIndex 004. UINT16, rw, written in PreOP only, default 0x1A30.
-        pub entry_4: u16,
-        /// `0x1C13:05` SubIndex 005. UINT16, rw, written in PreOP only, default 0x1A40.
-        pub entry_5: u16,
-        /// `0x1C13:06` SubIndex 006. UINT16, rw, written in PreOP only, default 0x1A50.
-        pub entry_6: u16,
-    }
-
     /// `0x1C32` Configuration DC modus.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct SmOutputParameter {
@@ -3683,6 +3682,12 @@ pub mod dictionary {
     impl sdo::Values for Dictionary {
         const TABLE: &'static sdo::Dictionary = &TABLE;
 
+        const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+            outputs: Some(<C887 as Carries<Rx>>::SYNC_MANAGER),
+            inputs: Some(<C887 as Carries<Tx>>::SYNC_MANAGER),
+            max_bytes: &[],
+        });
+
         fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
             let item = usize::from(place.item);
             match place.field {
@@ -3693,8 +3698,14 @@ pub mod dictionary {
                 4 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                 5 => self.identity_object.slot(place.item),
                 6 => self.sync_manager_communication_type.slot(place.item),
-                7 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                8 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                7 => match place.item {
+                    0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                    item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                },
+                8 => match place.item {
+                    0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                    item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                },
                 9 => self.sm_output_parameter.slot(place.item),
                 10 => self.sm_input_parameter.slot(place.item),
                 11 => self.work_coordinate_system.get_mut(item).map(sdo::Slot::I32),
@@ -3756,37 +3767,6 @@ pub mod dictionary {
                 1 => Some(sdo::Slot::U8(&mut self.entry_2.0)),
                 2 => Some(sdo::Slot::U8(&mut self.entry_3.0)),
                 3 => Some(sdo::Slot::U8(&mut self.entry_4.0)),
-                _ => None,
-            }
-        }
-    }
-
-    impl SyncManager2PdoAssignment {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                2 => Some(sdo::Slot::U16(&mut self.entry_2)),
-                3 => Some(sdo::Slot::U16(&mut self.entry_3)),
-                4 => Some(sdo::Slot::U16(&mut self.entry_4)),
-                5 => Some(sdo::Slot::U16(&mut self.entry_5)),
-                6 => Some(sdo::Slot::U16(&mut self.entry_6)),
-                7 => Some(sdo::Slot::U16(&mut self.entry_7)),
-                _ => None,
-            }
-        }
-    }
-
-    impl SyncManager3PdoAssignment {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                2 => Some(sdo::Slot::U16(&mut self.entry_2)),
-                3 => Some(sdo::Slot::U16(&mut self.entry_3)),
-                4 => Some(sdo::Slot::U16(&mut self.entry_4)),
-                5 => Some(sdo::Slot::U16(&mut self.entry_5)),
-                6 => Some(sdo::Slot::U16(&mut self.entry_6)),
                 _ => None,
             }
         }
@@ -4144,31 +4124,14 @@ pub mod dictionary {
                 ObjectCode::Array,
                 0,
                 7,
-                &[
-                    entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                    entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(2, 2, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(3, 3, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(4, 4, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(5, 5, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(6, 6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(7, 7, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                ],
+                &const { EntryInfo::counted::<8>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                 0,
             ),
             object(
                 ObjectCode::Array,
                 0,
                 8,
-                &[
-                    entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                    entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(2, 2, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(3, 3, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(4, 4, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(5, 5, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    entry(6, 6, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                ],
+                &const { EntryInfo::counted::<7>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                 0,
             ),
             object(

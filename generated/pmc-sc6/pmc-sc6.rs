@@ -42,7 +42,7 @@ pub mod double {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -188,44 +188,124 @@ pub mod double {
                 axis.entry(0x1600, 0x1, 0)
             }
 
-            /// `0x1600:01` Control word. UINT32, ro, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, ro, default 0x60400010.
             pub const fn entry_1(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 1)
             }
 
-            /// `0x1600:02` Modes of operation. UINT32, ro, default 0x60600008.
+            /// `0x1600:02` SubIndex 002. UINT32, ro, default 0x60600008.
             pub const fn entry_2(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 2)
             }
 
-            /// `0x1600:03` Target position. UINT32, ro, default 0x607A0020.
+            /// `0x1600:03` SubIndex 003. UINT32, ro, default 0x607A0020.
             pub const fn entry_3(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 3)
             }
 
-            /// `0x1600:04` Target velocity. UINT32, ro, default 0x60FF0020.
+            /// `0x1600:04` SubIndex 004. UINT32, ro, default 0x60FF0020.
             pub const fn entry_4(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 4)
             }
 
-            /// `0x1600:05` Velocity offset. UINT32, ro, default 0x60B10020.
+            /// `0x1600:05` SubIndex 005. UINT32, ro, default 0x60B10020.
             pub const fn entry_5(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 5)
             }
 
-            /// `0x1600:06` Torque offset. UINT32, ro, default 0x60B20010.
+            /// `0x1600:06` SubIndex 006. UINT32, ro, default 0x60B20010.
             pub const fn entry_6(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 6)
             }
 
-            /// `0x1600:07` Target torque. UINT32, ro, default 0x60710010.
+            /// `0x1600:07` SubIndex 007. UINT32, ro, default 0x60710010.
             pub const fn entry_7(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 7)
             }
 
-            /// `0x1600:08` Digital outputs. UINT32, ro, default 0x60FE0120.
+            /// `0x1600:08` SubIndex 008. UINT32, ro, default 0x60FE0120.
             pub const fn entry_8(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 8)
+            }
+
+            /// `0x1600:09` SubIndex 009. UINT32, ro, default 0.
+            pub const fn entry_9(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 9)
+            }
+
+            /// `0x1600:0A` SubIndex 010. UINT32, ro, default 0.
+            pub const fn entry_10(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 10)
+            }
+
+            /// `0x1600:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const fn entry_11(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 11)
+            }
+
+            /// `0x1600:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const fn entry_12(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 12)
+            }
+
+            /// `0x1600:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const fn entry_13(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 13)
+            }
+
+            /// `0x1600:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const fn entry_14(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 14)
+            }
+
+            /// `0x1600:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const fn entry_15(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 15)
+            }
+
+            /// `0x1600:10` SubIndex 016. UINT32, ro, default 0.
+            pub const fn entry_16(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 16)
+            }
+
+            /// `0x1600:11` SubIndex 017. UINT32, ro, default 0.
+            pub const fn entry_17(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 17)
+            }
+
+            /// `0x1600:12` SubIndex 018. UINT32, ro, default 0.
+            pub const fn entry_18(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 18)
+            }
+
+            /// `0x1600:13` SubIndex 019. UINT32, ro, default 0.
+            pub const fn entry_19(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 19)
+            }
+
+            /// `0x1600:14` SubIndex 020. UINT32, ro, default 0.
+            pub const fn entry_20(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 20)
+            }
+
+            /// `0x1600:15` SubIndex 021. UINT32, ro, default 0.
+            pub const fn entry_21(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 21)
+            }
+
+            /// `0x1600:16` SubIndex 022. UINT32, ro, default 0.
+            pub const fn entry_22(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 22)
+            }
+
+            /// `0x1600:17` SubIndex 023. UINT32, ro, default 0.
+            pub const fn entry_23(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 23)
+            }
+
+            /// `0x1600:18` SubIndex 024. UINT32, ro, default 0.
+            pub const fn entry_24(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 24)
             }
         }
 
@@ -240,54 +320,124 @@ pub mod double {
                 axis.entry(0x1A00, 0x1, 0)
             }
 
-            /// `0x1A00:01` Statusword. UINT32, ro, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, ro, default 0x60410010.
             pub const fn entry_1(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 1)
             }
 
-            /// `0x1A00:02` Modes of operation display. UINT32, ro, default 0x60610008.
+            /// `0x1A00:02` SubIndex 002. UINT32, ro, default 0x60610008.
             pub const fn entry_2(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 2)
             }
 
-            /// `0x1A00:03` Position actual value. UINT32, ro, default 0x60640020.
+            /// `0x1A00:03` SubIndex 003. UINT32, ro, default 0x60640020.
             pub const fn entry_3(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 3)
             }
 
-            /// `0x1A00:04` Velocity actual value. UINT32, ro, default 0x606C0020.
+            /// `0x1A00:04` SubIndex 004. UINT32, ro, default 0x606C0020.
             pub const fn entry_4(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 4)
             }
 
-            /// `0x1A00:05` Torque actual value. UINT32, ro, default 0x60770010.
+            /// `0x1A00:05` SubIndex 005. UINT32, ro, default 0x60770010.
             pub const fn entry_5(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 5)
             }
 
-            /// `0x1A00:06` Following error actual value. UINT32, ro, default 0x60F40020.
+            /// `0x1A00:06` SubIndex 006. UINT32, ro, default 0x60F40020.
             pub const fn entry_6(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 6)
             }
 
-            /// `0x1A00:07` Digital inputs. UINT32, ro, default 0x60FD0020.
+            /// `0x1A00:07` SubIndex 007. UINT32, ro, default 0x60FD0020.
             pub const fn entry_7(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 7)
             }
 
-            /// `0x1A00:08` Additional position actual value / 1st value. UINT32, ro, default 0x60E40120.
+            /// `0x1A00:08` SubIndex 008. UINT32, ro, default 0x60E40120.
             pub const fn entry_8(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 8)
             }
 
-            /// `0x1A00:09` Status word 2. UINT32, ro, default 0x28C90010.
+            /// `0x1A00:09` SubIndex 009. UINT32, ro, default 0x28C90010.
             pub const fn entry_9(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 9)
             }
 
-            /// `0x1A00:0A` Status word user-defined. UINT32, ro, default 0x20430010.
+            /// `0x1A00:0A` SubIndex 010. UINT32, ro, default 0x20430010.
             pub const fn entry_10(axis: Axis) -> Entry<Double, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 10)
+            }
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const fn entry_11(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 11)
+            }
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const fn entry_12(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 12)
+            }
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const fn entry_13(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 13)
+            }
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const fn entry_14(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 14)
+            }
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const fn entry_15(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 15)
+            }
+
+            /// `0x1A00:10` SubIndex 016. UINT32, ro, default 0.
+            pub const fn entry_16(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 16)
+            }
+
+            /// `0x1A00:11` SubIndex 017. UINT32, ro, default 0.
+            pub const fn entry_17(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 17)
+            }
+
+            /// `0x1A00:12` SubIndex 018. UINT32, ro, default 0.
+            pub const fn entry_18(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 18)
+            }
+
+            /// `0x1A00:13` SubIndex 019. UINT32, ro, default 0.
+            pub const fn entry_19(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 19)
+            }
+
+            /// `0x1A00:14` SubIndex 020. UINT32, ro, default 0.
+            pub const fn entry_20(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 20)
+            }
+
+            /// `0x1A00:15` SubIndex 021. UINT32, ro, default 0.
+            pub const fn entry_21(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 21)
+            }
+
+            /// `0x1A00:16` SubIndex 022. UINT32, ro, default 0.
+            pub const fn entry_22(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 22)
+            }
+
+            /// `0x1A00:17` SubIndex 023. UINT32, ro, default 0.
+            pub const fn entry_23(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 23)
+            }
+
+            /// `0x1A00:18` SubIndex 024. UINT32, ro, default 0.
+            pub const fn entry_24(axis: Axis) -> Entry<Double, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 24)
             }
         }
 
@@ -1676,6 +1826,19 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -1862,6 +2025,24 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -1888,6 +2069,13 @@ pub mod double {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2084,6 +2272,26 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -2163,6 +2371,22 @@ pub mod double {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2272,6 +2496,20 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -2305,6 +2543,19 @@ pub mod double {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -2334,6 +2585,14 @@ pub mod double {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2419,6 +2678,25 @@ pub mod double {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -3053,7 +3331,8 @@ pub mod double {
         ];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -3086,10 +3365,467 @@ pub mod double {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
         ];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in deg × 45 ÷ 131072.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Double, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x60C1, 0x800), 1), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in deg × 45 ÷ 131072.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Double, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6064, 0x800), 0), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            RxPdo1600::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Double, Rx, 14);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 14;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            TxPdo1A00::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Double, Tx, 14);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 14;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Double, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6042, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Double, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6044, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4]),
+                            RxPdo1600::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Double, Rx, 10);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 10;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4]),
+                            TxPdo1A00::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Double, Tx, 10);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 10;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -4265,7 +5001,27 @@ pub mod double {
                     cycle_time_too_small: 0,
                     sync_error: false,
                 },
-                axes: [AxisDictionary::DEFAULT; 2],
+                axes: [
+                    AxisDictionary::DEFAULT,
+                    AxisDictionary {
+                        rx_pdo_1600: sdo::List {
+                            count: 8,
+                            items: [
+                                0x6840_0010, 0x6860_0008, 0x687A_0020, 0x68FF_0020, 0x68B1_0020, 0x68B2_0010,
+                                0x6871_0010, 0x68FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                            ],
+                        },
+                        tx_pdo_1a00: sdo::List {
+                            count: 10,
+                            items: [
+                                0x6841_0010, 0x6861_0008, 0x6864_0020, 0x686C_0020, 0x6877_0010, 0x68F4_0020,
+                                0x68FD_0020, 0x68E4_0120, 0xA8C9_0010, 0xA043_0010, 0, 0, 0, 0, 0, 0, 0, 0,
+                                0, 0, 0, 0, 0, 0,
+                            ],
+                        },
+                        ..AxisDictionary::DEFAULT
+                    },
+                ],
             };
         }
 
@@ -4278,6 +5034,14 @@ pub mod double {
         /// Every object of an axis whose value can change, by its index on the first axis.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct AxisDictionary {
+            /// `0x1600` Receive process data.
+            ///
+            /// UINT8, ro, default 8.
+            pub rx_pdo_1600: sdo::List<u32, 24>,
+            /// `0x1A00` Transmit process data.
+            ///
+            /// UINT8, ro, default 10.
+            pub tx_pdo_1a00: sdo::List<u32, 24>,
             /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO.
             pub status_word_user_defined: u16,
             /// `0x28C9:00` Status word 2. WORD, ro, TxPDO.
@@ -4439,6 +5203,21 @@ pub mod double {
         impl AxisDictionary {
             /// The defaults of the first axis.
             pub const DEFAULT: Self = Self {
+                rx_pdo_1600: sdo::List {
+                    count: 8,
+                    items: [
+                        0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                        0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
+                },
+                tx_pdo_1a00: sdo::List {
+                    count: 10,
+                    items: [
+                        0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                        0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0,
+                    ],
+                },
                 status_word_user_defined: 0,
                 status_word_2: 0,
                 error_code: 0,
@@ -4787,6 +5566,12 @@ pub mod double {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<Double as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<Double as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 match place.field {
                     0 => Some(sdo::Slot::U32(&mut self.device_type)),
@@ -4805,75 +5590,83 @@ pub mod double {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.slot(place.item),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.slot(place.item),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.slot(place.item),
-                    47 => self.feed_constant.slot(place.item),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.slot(place.item),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.slot(place.item),
-                    69 => self.additional_position_actual_value.slot(place.item),
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    7 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    18 => self.vl_velocity_acceleration.slot(place.item),
+                    19 => self.vl_velocity_deceleration.slot(place.item),
+                    20 => self.vl_velocity_quick_stop.slot(place.item),
+                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    38 => self.position_range_limit.slot(place.item),
+                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    40 => self.software_position_limit.slot(place.item),
+                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    48 => self.gear_ratio.slot(place.item),
+                    49 => self.feed_constant.slot(place.item),
+                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    51 => self.homing_speeds.slot(place.item),
+                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    54 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    55 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    56 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    63 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    64 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    65 => self.interpolation_time_period.slot(place.item),
+                    66 => self.interpolation_data_configuration.slot(place.item),
+                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    70 => self.supported_homing_methods.slot(place.item),
+                    71 => self.additional_position_actual_value.slot(place.item),
+                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -5097,18 +5890,9 @@ pub mod double {
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8]);
 
-        const CONSTANTS: [u8; 169] = [
-            0x04, 0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00,
-            0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01,
-            0xFE, 0x60, 0x08, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x20,
-            0x00, 0xFF, 0x68, 0x20, 0x00, 0xB1, 0x68, 0x10, 0x00, 0xB2, 0x68, 0x10, 0x00, 0x71, 0x68, 0x20,
-            0x01, 0xFE, 0x68, 0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60,
-            0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60,
-            0x20, 0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20, 0x0A, 0x10, 0x00, 0x41,
-            0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68, 0x20, 0x00, 0x6C, 0x68, 0x10, 0x00, 0x77,
-            0x68, 0x20, 0x00, 0xF4, 0x68, 0x20, 0x00, 0xFD, 0x68, 0x20, 0x01, 0xE4, 0x68, 0x10, 0x00, 0xC9,
-            0xA8, 0x10, 0x00, 0x43, 0xA0, 0x04, 0x01, 0x02, 0x03, 0x04, 0x02, 0x00, 0x16, 0x01, 0x16, 0x02,
-            0x00, 0x1A, 0x01, 0x1A, 0x20, 0x02, 0x01, 0x05, 0x14,
+        const CONSTANTS: [u8; 21] = [
+            0x04, 0x04, 0x01, 0x02, 0x03, 0x04, 0x02, 0x00, 0x16, 0x01, 0x16, 0x02, 0x00, 0x1A, 0x01, 0x1A,
+            0x20, 0x02, 0x01, 0x05, 0x14,
         ];
 
         const fn object(
@@ -5166,15 +5950,19 @@ pub mod double {
             axis: 0,
             slots: &SLOTS_16,
             objects: &[
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    1,
+                    0,
+                    7,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    34,
+                    1,
+                    7,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
             ],
         };
@@ -5186,15 +5974,19 @@ pub mod double {
             axis: 0,
             slots: &SLOTS_1A,
             objects: &[
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    67,
+                    0,
+                    8,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    108,
+                    1,
+                    8,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
             ],
         };
@@ -5209,17 +6001,17 @@ pub mod double {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    149,
+                    1,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    154,
+                    6,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    159,
+                    11,
                 ),
                 object(
                     ObjectCode::Record,
@@ -5241,7 +6033,7 @@ pub mod double {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    164,
+                    16,
                 ),
                 object(
                     ObjectCode::Record,
@@ -5263,7 +6055,7 @@ pub mod double {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    164,
+                    16,
                 ),
             ],
         };
@@ -5277,7 +6069,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                7,
+                9,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5292,7 +6084,7 @@ pub mod double {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                8,
+                10,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -5314,52 +6106,30 @@ pub mod double {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    14,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    15,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
                     17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    17,
                 ),
                 object(
                     ObjectCode::Record,
@@ -5370,80 +6140,88 @@ pub mod double {
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
                         entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    165,
+                    17,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     19,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
-                    165,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    17,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    20,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    17,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    20,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    21,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    17,
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    22,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    17,
+                ),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    23,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    26,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    36,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5456,23 +6234,23 @@ pub mod double {
                     0,
                     38,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    17,
                 ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
                     0,
                     40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    17,
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -5502,91 +6280,105 @@ pub mod double {
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
                     46,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    47,
+                    48,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    17,
                 ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    17,
+                ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    17,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    50,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    52,
+                    54,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    166,
+                    18,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    53,
+                    55,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    56,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    57,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    62,
+                    64,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    166,
+                    18,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    63,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
                     ],
-                    165,
+                    17,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    66,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -5596,57 +6388,57 @@ pub mod double {
                         entry(5, 4, DataType::UNSIGNED8, 8, WO),
                         entry(6, 5, DataType::UNSIGNED8, 8, WO),
                     ],
-                    167,
+                    19,
                 ),
                 object(
                     ObjectCode::Variable,
-                    0,
-                    65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
                     0,
                     67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    168,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    69,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    166,
-                ),
-                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    74,
+                    68,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    69,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    17,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    70,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    20,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    71,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    18,
+                ),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    75,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    18,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    76,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -5659,7 +6451,7 @@ pub mod double {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
 
         /// The name of every object and entry, for a firmware that tells what is in its dictionary.
@@ -5677,22 +6469,29 @@ pub mod double {
         ];
 
         const NAMES_16: &[&str] = &[
-            "Receive process data", "Highest subindex supported", "Control word", "Modes of operation",
-            "Target position", "Target velocity", "Velocity offset", "Torque offset", "Target torque",
-            "Digital outputs", "Receive process data", "Highest subindex supported", "Control word",
-            "Modes of operation", "Target position", "Target velocity", "Velocity offset", "Torque offset",
-            "Target torque", "Digital outputs",
+            "Receive process data", "Highest subindex supported", "SubIndex 001", "SubIndex 002",
+            "SubIndex 003", "SubIndex 004", "SubIndex 005", "SubIndex 006", "SubIndex 007", "SubIndex 008",
+            "SubIndex 009", "SubIndex 010", "SubIndex 011", "SubIndex 012", "SubIndex 013", "SubIndex 014",
+            "SubIndex 015", "SubIndex 016", "SubIndex 017", "SubIndex 018", "SubIndex 019", "SubIndex 020",
+            "SubIndex 021", "SubIndex 022", "SubIndex 023", "SubIndex 024", "Receive process data",
+            "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
+            "SubIndex 005", "SubIndex 006", "SubIndex 007", "SubIndex 008", "SubIndex 009", "SubIndex 010",
+            "SubIndex 011", "SubIndex 012", "SubIndex 013", "SubIndex 014", "SubIndex 015", "SubIndex 016",
+            "SubIndex 017", "SubIndex 018", "SubIndex 019", "SubIndex 020", "SubIndex 021", "SubIndex 022",
+            "SubIndex 023", "SubIndex 024",
         ];
 
         const NAMES_1A: &[&str] = &[
-            "Transmit process data", "Highest subindex supported", "Statusword",
-            "Modes of operation display", "Position actual value", "Velocity actual value",
-            "Torque actual value", "Following error actual value", "Digital inputs",
-            "Additional position actual value / 1st value", "Status word 2", "Status word user-defined",
-            "Transmit process data", "Highest subindex supported", "Statusword",
-            "Modes of operation display", "Position actual value", "Velocity actual value",
-            "Torque actual value", "Following error actual value", "Digital inputs",
-            "Additional position actual value / 1st value", "Status word 2", "Status word user-defined",
+            "Transmit process data", "Highest subindex supported", "SubIndex 001", "SubIndex 002",
+            "SubIndex 003", "SubIndex 004", "SubIndex 005", "SubIndex 006", "SubIndex 007", "SubIndex 008",
+            "SubIndex 009", "SubIndex 010", "SubIndex 011", "SubIndex 012", "SubIndex 013", "SubIndex 014",
+            "SubIndex 015", "SubIndex 016", "SubIndex 017", "SubIndex 018", "SubIndex 019", "SubIndex 020",
+            "SubIndex 021", "SubIndex 022", "SubIndex 023", "SubIndex 024", "Transmit process data",
+            "Highest subindex supported", "SubIndex 001", "SubIndex 002", "SubIndex 003", "SubIndex 004",
+            "SubIndex 005", "SubIndex 006", "SubIndex 007", "SubIndex 008", "SubIndex 009", "SubIndex 010",
+            "SubIndex 011", "SubIndex 012", "SubIndex 013", "SubIndex 014", "SubIndex 015", "SubIndex 016",
+            "SubIndex 017", "SubIndex 018", "SubIndex 019", "SubIndex 020", "SubIndex 021", "SubIndex 022",
+            "SubIndex 023", "SubIndex 024",
         ];
 
         const NAMES_1C: &[&str] = &[
@@ -5801,7 +6600,7 @@ pub mod single {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -5914,29 +6713,77 @@ pub mod single {
             /// `0x1600:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x1600, 0);
 
-            /// `0x1600:01` Control word. UINT32, ro, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, ro, default 0x60400010.
             pub const ENTRY_1: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 1);
 
-            /// `0x1600:02` Modes of operation. UINT32, ro, default 0x60600008.
+            /// `0x1600:02` SubIndex 002. UINT32, ro, default 0x60600008.
             pub const ENTRY_2: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 2);
 
-            /// `0x1600:03` Target position. UINT32, ro, default 0x607A0020.
+            /// `0x1600:03` SubIndex 003. UINT32, ro, default 0x607A0020.
             pub const ENTRY_3: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 3);
 
-            /// `0x1600:04` Target velocity. UINT32, ro, default 0x60FF0020.
+            /// `0x1600:04` SubIndex 004. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_4: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 4);
 
-            /// `0x1600:05` Velocity offset. UINT32, ro, default 0x60B10020.
+            /// `0x1600:05` SubIndex 005. UINT32, ro, default 0x60B10020.
             pub const ENTRY_5: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 5);
 
-            /// `0x1600:06` Torque offset. UINT32, ro, default 0x60B20010.
+            /// `0x1600:06` SubIndex 006. UINT32, ro, default 0x60B20010.
             pub const ENTRY_6: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 6);
 
-            /// `0x1600:07` Target torque. UINT32, ro, default 0x60710010.
+            /// `0x1600:07` SubIndex 007. UINT32, ro, default 0x60710010.
             pub const ENTRY_7: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 7);
 
-            /// `0x1600:08` Digital outputs. UINT32, ro, default 0x60FE0120.
+            /// `0x1600:08` SubIndex 008. UINT32, ro, default 0x60FE0120.
             pub const ENTRY_8: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 8);
+
+            /// `0x1600:09` SubIndex 009. UINT32, ro, default 0.
+            pub const ENTRY_9: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 9);
+
+            /// `0x1600:0A` SubIndex 010. UINT32, ro, default 0.
+            pub const ENTRY_10: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 10);
+
+            /// `0x1600:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const ENTRY_11: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 11);
+
+            /// `0x1600:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const ENTRY_12: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 12);
+
+            /// `0x1600:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const ENTRY_13: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 13);
+
+            /// `0x1600:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const ENTRY_14: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 14);
+
+            /// `0x1600:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const ENTRY_15: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 15);
+
+            /// `0x1600:10` SubIndex 016. UINT32, ro, default 0.
+            pub const ENTRY_16: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 16);
+
+            /// `0x1600:11` SubIndex 017. UINT32, ro, default 0.
+            pub const ENTRY_17: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 17);
+
+            /// `0x1600:12` SubIndex 018. UINT32, ro, default 0.
+            pub const ENTRY_18: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 18);
+
+            /// `0x1600:13` SubIndex 019. UINT32, ro, default 0.
+            pub const ENTRY_19: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 19);
+
+            /// `0x1600:14` SubIndex 020. UINT32, ro, default 0.
+            pub const ENTRY_20: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 20);
+
+            /// `0x1600:15` SubIndex 021. UINT32, ro, default 0.
+            pub const ENTRY_21: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 21);
+
+            /// `0x1600:16` SubIndex 022. UINT32, ro, default 0.
+            pub const ENTRY_22: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 22);
+
+            /// `0x1600:17` SubIndex 023. UINT32, ro, default 0.
+            pub const ENTRY_23: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 23);
+
+            /// `0x1600:18` SubIndex 024. UINT32, ro, default 0.
+            pub const ENTRY_24: Entry<Single, u32, ReadOnly> = Entry::new(0x1600, 24);
         }
 
         /// `0x1A00` Transmit process data.
@@ -5948,35 +6795,77 @@ pub mod single {
             /// `0x1A00:00` Highest subindex supported. UINT8, ro, default 10.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<Single, u8, ReadOnly> = Entry::new(0x1A00, 0);
 
-            /// `0x1A00:01` Statusword. UINT32, ro, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, ro, default 0x60410010.
             pub const ENTRY_1: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 1);
 
-            /// `0x1A00:02` Modes of operation display. UINT32, ro, default 0x60610008.
+            /// `0x1A00:02` SubIndex 002. UINT32, ro, default 0x60610008.
             pub const ENTRY_2: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 2);
 
-            /// `0x1A00:03` Position actual value. UINT32, ro, default 0x60640020.
+            /// `0x1A00:03` SubIndex 003. UINT32, ro, default 0x60640020.
             pub const ENTRY_3: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 3);
 
-            /// `0x1A00:04` Velocity actual value. UINT32, ro, default 0x606C0020.
+            /// `0x1A00:04` SubIndex 004. UINT32, ro, default 0x606C0020.
             pub const ENTRY_4: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 4);
 
-            /// `0x1A00:05` Torque actual value. UINT32, ro, default 0x60770010.
+            /// `0x1A00:05` SubIndex 005. UINT32, ro, default 0x60770010.
             pub const ENTRY_5: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 5);
 
-            /// `0x1A00:06` Following error actual value. UINT32, ro, default 0x60F40020.
+            /// `0x1A00:06` SubIndex 006. UINT32, ro, default 0x60F40020.
             pub const ENTRY_6: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 6);
 
-            /// `0x1A00:07` Digital inputs. UINT32, ro, default 0x60FD0020.
+            /// `0x1A00:07` SubIndex 007. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_7: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 7);
 
-            /// `0x1A00:08` Additional position actual value / 1st value. UINT32, ro, default 0x60E40120.
+            /// `0x1A00:08` SubIndex 008. UINT32, ro, default 0x60E40120.
             pub const ENTRY_8: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 8);
 
-            /// `0x1A00:09` Status word 2. UINT32, ro, default 0x28C90010.
+            /// `0x1A00:09` SubIndex 009. UINT32, ro, default 0x28C90010.
             pub const ENTRY_9: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 9);
 
-            /// `0x1A00:0A` Status word user-defined. UINT32, ro, default 0x20430010.
+            /// `0x1A00:0A` SubIndex 010. UINT32, ro, default 0x20430010.
             pub const ENTRY_10: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 10);
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const ENTRY_11: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 11);
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const ENTRY_12: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 12);
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const ENTRY_13: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 13);
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const ENTRY_14: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 14);
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const ENTRY_15: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 15);
+
+            /// `0x1A00:10` SubIndex 016. UINT32, ro, default 0.
+            pub const ENTRY_16: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 16);
+
+            /// `0x1A00:11` SubIndex 017. UINT32, ro, default 0.
+            pub const ENTRY_17: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 17);
+
+            /// `0x1A00:12` SubIndex 018. UINT32, ro, default 0.
+            pub const ENTRY_18: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 18);
+
+            /// `0x1A00:13` SubIndex 019. UINT32, ro, default 0.
+            pub const ENTRY_19: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 19);
+
+            /// `0x1A00:14` SubIndex 020. UINT32, ro, default 0.
+            pub const ENTRY_20: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 20);
+
+            /// `0x1A00:15` SubIndex 021. UINT32, ro, default 0.
+            pub const ENTRY_21: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 21);
+
+            /// `0x1A00:16` SubIndex 022. UINT32, ro, default 0.
+            pub const ENTRY_22: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 22);
+
+            /// `0x1A00:17` SubIndex 023. UINT32, ro, default 0.
+            pub const ENTRY_23: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 23);
+
+            /// `0x1A00:18` SubIndex 024. UINT32, ro, default 0.
+            pub const ENTRY_24: Entry<Single, u32, ReadOnly> = Entry::new(0x1A00, 24);
         }
 
         /// `0x1C00` Sync manager communication type.
@@ -7148,6 +8037,19 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -7334,6 +8236,24 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -7360,6 +8280,13 @@ pub mod single {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -7556,6 +8483,26 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -7635,6 +8582,22 @@ pub mod single {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -7744,6 +8707,20 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -7777,6 +8754,19 @@ pub mod single {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -7806,6 +8796,14 @@ pub mod single {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -7891,6 +8889,25 @@ pub mod single {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -8460,7 +9477,8 @@ pub mod single {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -8488,7 +9506,372 @@ pub mod single {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in deg × 45 ÷ 131072.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Single, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x60C1, 1), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in deg × 45 ÷ 131072.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Single, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6064, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Single, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 7;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Single, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 7;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: Single, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6042, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: Single, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6044, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: Single, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 5;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: Single, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 5;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -9613,6 +10996,14 @@ pub mod single {
             pub manufacturer_software_version: &'static str,
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
+            /// `0x1600` Receive process data.
+            ///
+            /// UINT8, ro, default 8.
+            pub rx_pdo_1600: sdo::List<u32, 24>,
+            /// `0x1A00` Transmit process data.
+            ///
+            /// UINT8, ro, default 10.
+            pub tx_pdo_1a00: sdo::List<u32, 24>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -9787,6 +11178,21 @@ pub mod single {
                     product_code: 1,
                     revision_number: 1,
                     serial_number: 0,
+                },
+                rx_pdo_1600: sdo::List {
+                    count: 8,
+                    items: [
+                        0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                        0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
+                },
+                tx_pdo_1a00: sdo::List {
+                    count: 10,
+                    items: [
+                        0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                        0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0,
+                    ],
                 },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
@@ -10166,6 +11572,12 @@ pub mod single {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<Single as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<Single as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -10174,77 +11586,85 @@ pub mod single {
                     2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     4 => self.identity_object.slot(place.item),
-                    5 => self.sm_output_parameter.slot(place.item),
-                    6 => self.sm_input_parameter.slot(place.item),
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.slot(place.item),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.slot(place.item),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.slot(place.item),
-                    47 => self.feed_constant.slot(place.item),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.slot(place.item),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.slot(place.item),
-                    69 => self.additional_position_actual_value.slot(place.item),
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    5 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    6 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    7 => self.sm_output_parameter.slot(place.item),
+                    8 => self.sm_input_parameter.slot(place.item),
+                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    18 => self.vl_velocity_acceleration.slot(place.item),
+                    19 => self.vl_velocity_deceleration.slot(place.item),
+                    20 => self.vl_velocity_quick_stop.slot(place.item),
+                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    38 => self.position_range_limit.slot(place.item),
+                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    40 => self.software_position_limit.slot(place.item),
+                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    48 => self.gear_ratio.slot(place.item),
+                    49 => self.feed_constant.slot(place.item),
+                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    51 => self.homing_speeds.slot(place.item),
+                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    54 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    55 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    56 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    63 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    64 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    65 => self.interpolation_time_period.slot(place.item),
+                    66 => self.interpolation_data_configuration.slot(place.item),
+                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    70 => self.supported_homing_methods.slot(place.item),
+                    71 => self.additional_position_actual_value.slot(place.item),
+                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -10463,13 +11883,9 @@ pub mod single {
 
         const DIRECTORY: [u8; 256] = positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65]);
 
-        const CONSTANTS: [u8; 91] = [
-            0x04, 0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00,
-            0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01,
-            0xFE, 0x60, 0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20,
-            0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20,
-            0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20, 0x04, 0x01, 0x02, 0x03, 0x04,
-            0x01, 0x00, 0x16, 0x01, 0x00, 0x1A, 0x20, 0x02, 0x01, 0x05, 0x14,
+        const CONSTANTS: [u8; 17] = [
+            0x04, 0x04, 0x01, 0x02, 0x03, 0x04, 0x01, 0x00, 0x16, 0x01, 0x00, 0x1A, 0x20, 0x02, 0x01, 0x05,
+            0x14,
         ];
 
         const fn object(
@@ -10526,10 +11942,12 @@ pub mod single {
             first: 0x00,
             axis: 0,
             slots: &SLOTS_16,
-            objects: &[constant(
+            objects: &[object(
                 ObjectCode::Record,
-                &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                1,
+                0,
+                5,
+                &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                0,
             )],
         };
 
@@ -10539,10 +11957,12 @@ pub mod single {
             first: 0x00,
             axis: 0,
             slots: &SLOTS_1A,
-            objects: &[constant(
+            objects: &[object(
                 ObjectCode::Record,
-                &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                34,
+                0,
+                6,
+                &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                0,
             )],
         };
 
@@ -10556,22 +11976,22 @@ pub mod single {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    75,
+                    1,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    80,
+                    6,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    83,
+                    9,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    5,
+                    7,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED16, 16, RW),
@@ -10588,12 +12008,12 @@ pub mod single {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    86,
+                    12,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    6,
+                    8,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED16, 16, RW),
@@ -10610,7 +12030,7 @@ pub mod single {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    86,
+                    12,
                 ),
             ],
         };
@@ -10624,7 +12044,7 @@ pub mod single {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                7,
+                9,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -10639,7 +12059,7 @@ pub mod single {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                8,
+                10,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -10661,52 +12081,30 @@ pub mod single {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    14,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    15,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    87,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
                     17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    87,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    13,
                 ),
                 object(
                     ObjectCode::Record,
@@ -10717,80 +12115,88 @@ pub mod single {
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
                         entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    87,
+                    13,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     19,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
-                    87,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    13,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    20,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    13,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    20,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    21,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    13,
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    22,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    13,
+                ),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    23,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    26,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    36,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    87,
-                ),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -10803,23 +12209,23 @@ pub mod single {
                     0,
                     38,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    13,
                 ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
                     0,
                     40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    13,
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -10849,91 +12255,105 @@ pub mod single {
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
                     46,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    47,
+                    48,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    13,
                 ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    13,
+                ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    13,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    50,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    52,
+                    54,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    88,
+                    14,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    53,
+                    55,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    56,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    57,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    62,
+                    64,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    88,
+                    14,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    63,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
                     ],
-                    87,
+                    13,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    66,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -10943,57 +12363,57 @@ pub mod single {
                         entry(5, 4, DataType::UNSIGNED8, 8, WO),
                         entry(6, 5, DataType::UNSIGNED8, 8, WO),
                     ],
-                    89,
+                    15,
                 ),
                 object(
                     ObjectCode::Variable,
-                    0,
-                    65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
                     0,
                     67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    87,
-                ),
-                object(
-                    ObjectCode::Record,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    90,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    69,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    88,
-                ),
-                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    88,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    74,
+                    68,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    69,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    13,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    70,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    16,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    71,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    14,
+                ),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    75,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    14,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    76,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -11006,7 +12426,7 @@ pub mod single {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
 
         /// The name of every object and entry, for a firmware that tells what is in its dictionary.
@@ -11021,16 +12441,19 @@ pub mod single {
         ];
 
         const NAMES_16: &[&str] = &[
-            "Receive process data", "Highest subindex supported", "Control word", "Modes of operation",
-            "Target position", "Target velocity", "Velocity offset", "Torque offset", "Target torque",
-            "Digital outputs",
+            "Receive process data", "Highest subindex supported", "SubIndex 001", "SubIndex 002",
+            "SubIndex 003", "SubIndex 004", "SubIndex 005", "SubIndex 006", "SubIndex 007", "SubIndex 008",
+            "SubIndex 009", "SubIndex 010", "SubIndex 011", "SubIndex 012", "SubIndex 013", "SubIndex 014",
+            "SubIndex 015", "SubIndex 016", "SubIndex 017", "SubIndex 018", "SubIndex 019", "SubIndex 020",
+            "SubIndex 021", "SubIndex 022", "SubIndex 023", "SubIndex 024",
         ];
 
         const NAMES_1A: &[&str] = &[
-            "Transmit process data", "Highest subindex supported", "Statusword",
-            "Modes of operation display", "Position actual value", "Velocity actual value",
-            "Torque actual value", "Following error actual value", "Digital inputs",
-            "Additional position actual value / 1st value", "Status word 2", "Status word user-defined",
+            "Transmit process data", "Highest subindex supported", "SubIndex 001", "SubIndex 002",
+            "SubIndex 003", "SubIndex 004", "SubIndex 005", "SubIndex 006", "SubIndex 007", "SubIndex 008",
+            "SubIndex 009", "SubIndex 010", "SubIndex 011", "SubIndex 012", "SubIndex 013", "SubIndex 014",
+            "SubIndex 015", "SubIndex 016", "SubIndex 017", "SubIndex 018", "SubIndex 019", "SubIndex 020",
+            "SubIndex 021", "SubIndex 022", "SubIndex 023", "SubIndex 024",
         ];
 
         const NAMES_1C: &[&str] = &[
@@ -11139,7 +12562,7 @@ pub mod double_hires {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -11285,44 +12708,124 @@ pub mod double_hires {
                 axis.entry(0x1600, 0x1, 0)
             }
 
-            /// `0x1600:01` Control word. UINT32, ro, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, ro, default 0x60400010.
             pub const fn entry_1(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 1)
             }
 
-            /// `0x1600:02` Modes of operation. UINT32, ro, default 0x60600008.
+            /// `0x1600:02` SubIndex 002. UINT32, ro, default 0x60600008.
             pub const fn entry_2(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 2)
             }
 
-            /// `0x1600:03` Target position. UINT32, ro, default 0x607A0020.
+            /// `0x1600:03` SubIndex 003. UINT32, ro, default 0x607A0020.
             pub const fn entry_3(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 3)
             }
 
-            /// `0x1600:04` Target velocity. UINT32, ro, default 0x60FF0020.
+            /// `0x1600:04` SubIndex 004. UINT32, ro, default 0x60FF0020.
             pub const fn entry_4(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 4)
             }
 
-            /// `0x1600:05` Velocity offset. UINT32, ro, default 0x60B10020.
+            /// `0x1600:05` SubIndex 005. UINT32, ro, default 0x60B10020.
             pub const fn entry_5(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 5)
             }
 
-            /// `0x1600:06` Torque offset. UINT32, ro, default 0x60B20010.
+            /// `0x1600:06` SubIndex 006. UINT32, ro, default 0x60B20010.
             pub const fn entry_6(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 6)
             }
 
-            /// `0x1600:07` Target torque. UINT32, ro, default 0x60710010.
+            /// `0x1600:07` SubIndex 007. UINT32, ro, default 0x60710010.
             pub const fn entry_7(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 7)
             }
 
-            /// `0x1600:08` Digital outputs. UINT32, ro, default 0x60FE0120.
+            /// `0x1600:08` SubIndex 008. UINT32, ro, default 0x60FE0120.
             pub const fn entry_8(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1600, 0x1, 8)
+            }
+
+            /// `0x1600:09` SubIndex 009. UINT32, ro, default 0.
+            pub const fn entry_9(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 9)
+            }
+
+            /// `0x1600:0A` SubIndex 010. UINT32, ro, default 0.
+            pub const fn entry_10(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 10)
+            }
+
+            /// `0x1600:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const fn entry_11(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 11)
+            }
+
+            /// `0x1600:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const fn entry_12(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 12)
+            }
+
+            /// `0x1600:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const fn entry_13(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 13)
+            }
+
+            /// `0x1600:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const fn entry_14(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 14)
+            }
+
+            /// `0x1600:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const fn entry_15(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 15)
+            }
+
+            /// `0x1600:10` SubIndex 016. UINT32, ro, default 0.
+            pub const fn entry_16(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 16)
+            }
+
+            /// `0x1600:11` SubIndex 017. UINT32, ro, default 0.
+            pub const fn entry_17(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 17)
+            }
+
+            /// `0x1600:12` SubIndex 018. UINT32, ro, default 0.
+            pub const fn entry_18(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 18)
+            }
+
+            /// `0x1600:13` SubIndex 019. UINT32, ro, default 0.
+            pub const fn entry_19(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 19)
+            }
+
+            /// `0x1600:14` SubIndex 020. UINT32, ro, default 0.
+            pub const fn entry_20(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 20)
+            }
+
+            /// `0x1600:15` SubIndex 021. UINT32, ro, default 0.
+            pub const fn entry_21(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 21)
+            }
+
+            /// `0x1600:16` SubIndex 022. UINT32, ro, default 0.
+            pub const fn entry_22(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 22)
+            }
+
+            /// `0x1600:17` SubIndex 023. UINT32, ro, default 0.
+            pub const fn entry_23(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 23)
+            }
+
+            /// `0x1600:18` SubIndex 024. UINT32, ro, default 0.
+            pub const fn entry_24(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1600, 0x1, 24)
             }
         }
 
@@ -11337,54 +12840,124 @@ pub mod double_hires {
                 axis.entry(0x1A00, 0x1, 0)
             }
 
-            /// `0x1A00:01` Statusword. UINT32, ro, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, ro, default 0x60410010.
             pub const fn entry_1(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 1)
             }
 
-            /// `0x1A00:02` Modes of operation display. UINT32, ro, default 0x60610008.
+            /// `0x1A00:02` SubIndex 002. UINT32, ro, default 0x60610008.
             pub const fn entry_2(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 2)
             }
 
-            /// `0x1A00:03` Position actual value. UINT32, ro, default 0x60640020.
+            /// `0x1A00:03` SubIndex 003. UINT32, ro, default 0x60640020.
             pub const fn entry_3(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 3)
             }
 
-            /// `0x1A00:04` Velocity actual value. UINT32, ro, default 0x606C0020.
+            /// `0x1A00:04` SubIndex 004. UINT32, ro, default 0x606C0020.
             pub const fn entry_4(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 4)
             }
 
-            /// `0x1A00:05` Torque actual value. UINT32, ro, default 0x60770010.
+            /// `0x1A00:05` SubIndex 005. UINT32, ro, default 0x60770010.
             pub const fn entry_5(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 5)
             }
 
-            /// `0x1A00:06` Following error actual value. UINT32, ro, default 0x60F40020.
+            /// `0x1A00:06` SubIndex 006. UINT32, ro, default 0x60F40020.
             pub const fn entry_6(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 6)
             }
 
-            /// `0x1A00:07` Digital inputs. UINT32, ro, default 0x60FD0020.
+            /// `0x1A00:07` SubIndex 007. UINT32, ro, default 0x60FD0020.
             pub const fn entry_7(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 7)
             }
 
-            /// `0x1A00:08` Additional position actual value / 1st value. UINT32, ro, default 0x60E40120.
+            /// `0x1A00:08` SubIndex 008. UINT32, ro, default 0x60E40120.
             pub const fn entry_8(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 8)
             }
 
-            /// `0x1A00:09` Status word 2. UINT32, ro, default 0x28C90010.
+            /// `0x1A00:09` SubIndex 009. UINT32, ro, default 0x28C90010.
             pub const fn entry_9(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 9)
             }
 
-            /// `0x1A00:0A` Status word user-defined. UINT32, ro, default 0x20430010.
+            /// `0x1A00:0A` SubIndex 010. UINT32, ro, default 0x20430010.
             pub const fn entry_10(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
                 axis.entry(0x1A00, 0x1, 10)
+            }
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const fn entry_11(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 11)
+            }
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const fn entry_12(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 12)
+            }
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const fn entry_13(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 13)
+            }
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const fn entry_14(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 14)
+            }
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const fn entry_15(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 15)
+            }
+
+            /// `0x1A00:10` SubIndex 016. UINT32, ro, default 0.
+            pub const fn entry_16(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 16)
+            }
+
+            /// `0x1A00:11` SubIndex 017. UINT32, ro, default 0.
+            pub const fn entry_17(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 17)
+            }
+
+            /// `0x1A00:12` SubIndex 018. UINT32, ro, default 0.
+            pub const fn entry_18(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 18)
+            }
+
+            /// `0x1A00:13` SubIndex 019. UINT32, ro, default 0.
+            pub const fn entry_19(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 19)
+            }
+
+            /// `0x1A00:14` SubIndex 020. UINT32, ro, default 0.
+            pub const fn entry_20(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 20)
+            }
+
+            /// `0x1A00:15` SubIndex 021. UINT32, ro, default 0.
+            pub const fn entry_21(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 21)
+            }
+
+            /// `0x1A00:16` SubIndex 022. UINT32, ro, default 0.
+            pub const fn entry_22(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 22)
+            }
+
+            /// `0x1A00:17` SubIndex 023. UINT32, ro, default 0.
+            pub const fn entry_23(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 23)
+            }
+
+            /// `0x1A00:18` SubIndex 024. UINT32, ro, default 0.
+            pub const fn entry_24(axis: Axis) -> Entry<DoubleHires, u32, ReadOnly> {
+                axis.entry(0x1A00, 0x1, 24)
             }
         }
 
@@ -12834,6 +14407,19 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -13020,6 +14606,24 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -13046,6 +14650,13 @@ pub mod double_hires {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -13242,6 +14853,26 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -13321,6 +14952,22 @@ pub mod double_hires {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -13430,6 +15077,20 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -13463,6 +15124,19 @@ pub mod double_hires {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -13492,6 +15166,14 @@ pub mod double_hires {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -13577,6 +15259,25 @@ pub mod double_hires {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -14211,7 +15912,8 @@ pub mod double_hires {
         ];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -14244,10 +15946,467 @@ pub mod double_hires {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 2] = [
             Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation"),
             Write::new(Address::new(0x6860, 0), &[0x02], "mode of operation"),
         ];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in user unit / 10^I06.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: DoubleHires, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x60C1, 0x800), 1), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in user unit / 10^I06.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: DoubleHires, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6064, 0x800), 0), bits: 32 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            RxPdo1600::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: DoubleHires, Rx, 14);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 14;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 14] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4, b5, b6] = axis_a.pack();
+                    let [b7, b8, b9, b10, b11, b12, b13] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack(
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13]: [u8; 14],
+                ) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]),
+                            TxPdo1A00::unpack([b7, b8, b9, b10, b11, b12, b13]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: DoubleHires, Tx, 14);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 14;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1601`.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: DoubleHires, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl RxPdo1600 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1600, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6040, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6060, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6042, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes. One for each axis, 0x1 apart, up to `0x1A01`.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: DoubleHires, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl TxPdo1A00 {
+                /// The index of the PDO of an axis.
+                pub const fn index(axis: Axis) -> u16 {
+                    axis.index(0x1A00, 0x1)
+                }
+
+                /// What is mapped on an axis.
+                pub const fn mapping(axis: Axis) -> [Mapping; 3] {
+                    [
+                        Mapping { address: Address::new(axis.index(0x6041, 0x800), 0), bits: 16 },
+                        Mapping { address: Address::new(axis.index(0x6061, 0x800), 0), bits: 8 },
+                        Mapping { address: Address::new(axis.index(0x6044, 0x800), 0), bits: 16 },
+                    ]
+                }
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = Self::index(Axis::A);
+                const MAPPING: &'static [Mapping] = &Self::mapping(Axis::A);
+
+                const ALL: &'static [MappedPdo] = &[
+                    MappedPdo::own(Self::index(Axis::A), &Self::mapping(Axis::A)),
+                    MappedPdo::own(Self::index(Axis::B), &Self::mapping(Axis::B)),
+                ];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data of each axis, in order.
+                pub axes: [RxPdo1600; 2],
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            RxPdo1600::unpack([b0, b1, b2, b3, b4]),
+                            RxPdo1600::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: DoubleHires, Rx, 10);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 10;
+                axes, axes_mut: [RxPdo1600; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<RxPdo1600>(0), MappedPdo::of_axis::<RxPdo1600>(1)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data of each axis, in order.
+                pub axes: [TxPdo1A00; 2],
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 10] {
+                    let [axis_a, axis_b] = self.axes;
+                    let [b0, b1, b2, b3, b4] = axis_a.pack();
+                    let [b5, b6, b7, b8, b9] = axis_b.pack();
+                    [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6, b7, b8, b9]: [u8; 10]) -> Self {
+                    Self {
+                        axes: [
+                            TxPdo1A00::unpack([b0, b1, b2, b3, b4]),
+                            TxPdo1A00::unpack([b5, b6, b7, b8, b9]),
+                        ],
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: DoubleHires, Tx, 10);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 10;
+                axes, axes_mut: [TxPdo1A00; axis_a, axis_b] => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] =
+                    &[MappedPdo::of_axis::<TxPdo1A00>(0), MappedPdo::of_axis::<TxPdo1A00>(1)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -15422,7 +17581,27 @@ pub mod double_hires {
                     cycle_time_too_small: 0,
                     sync_error: false,
                 },
-                axes: [AxisDictionary::DEFAULT; 2],
+                axes: [
+                    AxisDictionary::DEFAULT,
+                    AxisDictionary {
+                        rx_pdo_1600: sdo::List {
+                            count: 8,
+                            items: [
+                                0x6840_0010, 0x6860_0008, 0x687A_0020, 0x68FF_0020, 0x68B1_0020, 0x68B2_0010,
+                                0x6871_0010, 0x68FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                            ],
+                        },
+                        tx_pdo_1a00: sdo::List {
+                            count: 10,
+                            items: [
+                                0x6841_0010, 0x6861_0008, 0x6864_0020, 0x686C_0020, 0x6877_0010, 0x68F4_0020,
+                                0x68FD_0020, 0x68E4_0120, 0xA8C9_0010, 0xA043_0010, 0, 0, 0, 0, 0, 0, 0, 0,
+                                0, 0, 0, 0, 0, 0,
+                            ],
+                        },
+                        ..AxisDictionary::DEFAULT
+                    },
+                ],
             };
         }
 
@@ -15435,6 +17614,14 @@ pub mod double_hires {
         /// Every object of an axis whose value can change, by its index on the first axis.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct AxisDictionary {
+            /// `0x1600` Receive process data.
+            ///
+            /// UINT8, ro, default 8.
+            pub rx_pdo_1600: sdo::List<u32, 24>,
+            /// `0x1A00` Transmit process data.
+            ///
+            /// UINT8, ro, default 10.
+            pub tx_pdo_1a00: sdo::List<u32, 24>,
             /// `0x2043:00` Status word user-defined. WORD, ro, TxPDO.
             pub status_word_user_defined: u16,
             /// `0x28C9:00` Status word 2. WORD, ro, TxPDO.
@@ -15596,6 +17783,21 @@ pub mod double_hires {
         impl AxisDictionary {
             /// The defaults of the first axis.
             pub const DEFAULT: Self = Self {
+                rx_pdo_1600: sdo::List {
+                    count: 8,
+                    items: [
+                        0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                        0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
+                },
+                tx_pdo_1a00: sdo::List {
+                    count: 10,
+                    items: [
+                        0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                        0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0,
+                    ],
+                },
                 status_word_user_defined: 0,
                 status_word_2: 0,
                 error_code: 0,
@@ -15944,6 +18146,12 @@ pub mod double_hires {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<DoubleHires as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<DoubleHires as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 match place.field {
                     0 => Some(sdo::Slot::U32(&mut self.device_type)),
@@ -15962,75 +18170,83 @@ pub mod double_hires {
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.slot(place.item),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.slot(place.item),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.slot(place.item),
-                    47 => self.feed_constant.slot(place.item),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.slot(place.item),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.slot(place.item),
-                    69 => self.additional_position_actual_value.slot(place.item),
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    7 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    18 => self.vl_velocity_acceleration.slot(place.item),
+                    19 => self.vl_velocity_deceleration.slot(place.item),
+                    20 => self.vl_velocity_quick_stop.slot(place.item),
+                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    38 => self.position_range_limit.slot(place.item),
+                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    40 => self.software_position_limit.slot(place.item),
+                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    48 => self.gear_ratio.slot(place.item),
+                    49 => self.feed_constant.slot(place.item),
+                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    51 => self.homing_speeds.slot(place.item),
+                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    54 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    55 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    56 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    63 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    64 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    65 => self.interpolation_time_period.slot(place.item),
+                    66 => self.interpolation_data_configuration.slot(place.item),
+                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    70 => self.supported_homing_methods.slot(place.item),
+                    71 => self.additional_position_actual_value.slot(place.item),
+                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -16254,18 +18470,9 @@ pub mod double_hires {
         const DIRECTORY: [u8; 256] =
             positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65, 0x68, 0x6D, 0xA0, 0xA8]);
 
-        const CONSTANTS: [u8; 169] = [
-            0x04, 0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00,
-            0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01,
-            0xFE, 0x60, 0x08, 0x10, 0x00, 0x40, 0x68, 0x08, 0x00, 0x60, 0x68, 0x20, 0x00, 0x7A, 0x68, 0x20,
-            0x00, 0xFF, 0x68, 0x20, 0x00, 0xB1, 0x68, 0x10, 0x00, 0xB2, 0x68, 0x10, 0x00, 0x71, 0x68, 0x20,
-            0x01, 0xFE, 0x68, 0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60,
-            0x20, 0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60,
-            0x20, 0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20, 0x0A, 0x10, 0x00, 0x41,
-            0x68, 0x08, 0x00, 0x61, 0x68, 0x20, 0x00, 0x64, 0x68, 0x20, 0x00, 0x6C, 0x68, 0x10, 0x00, 0x77,
-            0x68, 0x20, 0x00, 0xF4, 0x68, 0x20, 0x00, 0xFD, 0x68, 0x20, 0x01, 0xE4, 0x68, 0x10, 0x00, 0xC9,
-            0xA8, 0x10, 0x00, 0x43, 0xA0, 0x04, 0x01, 0x02, 0x03, 0x04, 0x02, 0x00, 0x16, 0x01, 0x16, 0x02,
-            0x00, 0x1A, 0x01, 0x1A, 0x20, 0x02, 0x01, 0x05, 0x14,
+        const CONSTANTS: [u8; 21] = [
+            0x04, 0x04, 0x01, 0x02, 0x03, 0x04, 0x02, 0x00, 0x16, 0x01, 0x16, 0x02, 0x00, 0x1A, 0x01, 0x1A,
+            0x20, 0x02, 0x01, 0x05, 0x14,
         ];
 
         const fn object(
@@ -16323,15 +18530,19 @@ pub mod double_hires {
             axis: 0,
             slots: &SLOTS_16,
             objects: &[
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    1,
+                    0,
+                    7,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    34,
+                    1,
+                    7,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
             ],
         };
@@ -16343,15 +18554,19 @@ pub mod double_hires {
             axis: 0,
             slots: &SLOTS_1A,
             objects: &[
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    67,
+                    0,
+                    8,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
-                constant(
+                object(
                     ObjectCode::Record,
-                    &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                    108,
+                    1,
+                    8,
+                    &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                    0,
                 ),
             ],
         };
@@ -16366,17 +18581,17 @@ pub mod double_hires {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    149,
+                    1,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    154,
+                    6,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<3>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    159,
+                    11,
                 ),
                 object(
                     ObjectCode::Record,
@@ -16398,7 +18613,7 @@ pub mod double_hires {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    164,
+                    16,
                 ),
                 object(
                     ObjectCode::Record,
@@ -16420,7 +18635,7 @@ pub mod double_hires {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    164,
+                    16,
                 ),
             ],
         };
@@ -16434,7 +18649,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                7,
+                9,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16449,7 +18664,7 @@ pub mod double_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                8,
+                10,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -16471,52 +18686,30 @@ pub mod double_hires {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    14,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    15,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
                     17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    165,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    17,
                 ),
                 object(
                     ObjectCode::Record,
@@ -16527,80 +18720,88 @@ pub mod double_hires {
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
                         entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    165,
+                    17,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     19,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
-                    165,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    17,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    20,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    17,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    20,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    21,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    17,
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    22,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    17,
+                ),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    23,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    26,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    36,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
-                ),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -16613,23 +18814,23 @@ pub mod double_hires {
                     0,
                     38,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    17,
                 ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
                     0,
                     40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    17,
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -16659,91 +18860,105 @@ pub mod double_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
                     46,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    47,
+                    48,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    17,
                 ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    165,
+                    17,
+                ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    17,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    50,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    52,
+                    54,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    166,
+                    18,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    53,
+                    55,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    56,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    57,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    62,
+                    64,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    166,
+                    18,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    63,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
                     ],
-                    165,
+                    17,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    66,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -16753,57 +18968,57 @@ pub mod double_hires {
                         entry(5, 4, DataType::UNSIGNED8, 8, WO),
                         entry(6, 5, DataType::UNSIGNED8, 8, WO),
                     ],
-                    167,
+                    19,
                 ),
                 object(
                     ObjectCode::Variable,
-                    0,
-                    65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
                     0,
                     67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    165,
-                ),
-                object(
-                    ObjectCode::Record,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    168,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    69,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    166,
-                ),
-                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    166,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    74,
+                    68,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    69,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    17,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    70,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    20,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    71,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    18,
+                ),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    75,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    18,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    76,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -16816,7 +19031,7 @@ pub mod double_hires {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
     }
 }
@@ -16860,7 +19075,7 @@ pub mod single_hires {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -16973,29 +19188,77 @@ pub mod single_hires {
             /// `0x1600:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x1600, 0);
 
-            /// `0x1600:01` Control word. UINT32, ro, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, ro, default 0x60400010.
             pub const ENTRY_1: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 1);
 
-            /// `0x1600:02` Modes of operation. UINT32, ro, default 0x60600008.
+            /// `0x1600:02` SubIndex 002. UINT32, ro, default 0x60600008.
             pub const ENTRY_2: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 2);
 
-            /// `0x1600:03` Target position. UINT32, ro, default 0x607A0020.
+            /// `0x1600:03` SubIndex 003. UINT32, ro, default 0x607A0020.
             pub const ENTRY_3: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 3);
 
-            /// `0x1600:04` Target velocity. UINT32, ro, default 0x60FF0020.
+            /// `0x1600:04` SubIndex 004. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_4: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 4);
 
-            /// `0x1600:05` Velocity offset. UINT32, ro, default 0x60B10020.
+            /// `0x1600:05` SubIndex 005. UINT32, ro, default 0x60B10020.
             pub const ENTRY_5: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 5);
 
-            /// `0x1600:06` Torque offset. UINT32, ro, default 0x60B20010.
+            /// `0x1600:06` SubIndex 006. UINT32, ro, default 0x60B20010.
             pub const ENTRY_6: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 6);
 
-            /// `0x1600:07` Target torque. UINT32, ro, default 0x60710010.
+            /// `0x1600:07` SubIndex 007. UINT32, ro, default 0x60710010.
             pub const ENTRY_7: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 7);
 
-            /// `0x1600:08` Digital outputs. UINT32, ro, default 0x60FE0120.
+            /// `0x1600:08` SubIndex 008. UINT32, ro, default 0x60FE0120.
             pub const ENTRY_8: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 8);
+
+            /// `0x1600:09` SubIndex 009. UINT32, ro, default 0.
+            pub const ENTRY_9: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 9);
+
+            /// `0x1600:0A` SubIndex 010. UINT32, ro, default 0.
+            pub const ENTRY_10: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 10);
+
+            /// `0x1600:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const ENTRY_11: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 11);
+
+            /// `0x1600:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const ENTRY_12: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 12);
+
+            /// `0x1600:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const ENTRY_13: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 13);
+
+            /// `0x1600:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const ENTRY_14: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 14);
+
+            /// `0x1600:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const ENTRY_15: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 15);
+
+            /// `0x1600:10` SubIndex 016. UINT32, ro, default 0.
+            pub const ENTRY_16: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 16);
+
+            /// `0x1600:11` SubIndex 017. UINT32, ro, default 0.
+            pub const ENTRY_17: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 17);
+
+            /// `0x1600:12` SubIndex 018. UINT32, ro, default 0.
+            pub const ENTRY_18: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 18);
+
+            /// `0x1600:13` SubIndex 019. UINT32, ro, default 0.
+            pub const ENTRY_19: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 19);
+
+            /// `0x1600:14` SubIndex 020. UINT32, ro, default 0.
+            pub const ENTRY_20: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 20);
+
+            /// `0x1600:15` SubIndex 021. UINT32, ro, default 0.
+            pub const ENTRY_21: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 21);
+
+            /// `0x1600:16` SubIndex 022. UINT32, ro, default 0.
+            pub const ENTRY_22: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 22);
+
+            /// `0x1600:17` SubIndex 023. UINT32, ro, default 0.
+            pub const ENTRY_23: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 23);
+
+            /// `0x1600:18` SubIndex 024. UINT32, ro, default 0.
+            pub const ENTRY_24: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1600, 24);
         }
 
         /// `0x1A00` Transmit process data.
@@ -17007,35 +19270,77 @@ pub mod single_hires {
             /// `0x1A00:00` Highest subindex supported. UINT8, ro, default 10.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<SingleHires, u8, ReadOnly> = Entry::new(0x1A00, 0);
 
-            /// `0x1A00:01` Statusword. UINT32, ro, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, ro, default 0x60410010.
             pub const ENTRY_1: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 1);
 
-            /// `0x1A00:02` Modes of operation display. UINT32, ro, default 0x60610008.
+            /// `0x1A00:02` SubIndex 002. UINT32, ro, default 0x60610008.
             pub const ENTRY_2: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 2);
 
-            /// `0x1A00:03` Position actual value. UINT32, ro, default 0x60640020.
+            /// `0x1A00:03` SubIndex 003. UINT32, ro, default 0x60640020.
             pub const ENTRY_3: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 3);
 
-            /// `0x1A00:04` Velocity actual value. UINT32, ro, default 0x606C0020.
+            /// `0x1A00:04` SubIndex 004. UINT32, ro, default 0x606C0020.
             pub const ENTRY_4: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 4);
 
-            /// `0x1A00:05` Torque actual value. UINT32, ro, default 0x60770010.
+            /// `0x1A00:05` SubIndex 005. UINT32, ro, default 0x60770010.
             pub const ENTRY_5: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 5);
 
-            /// `0x1A00:06` Following error actual value. UINT32, ro, default 0x60F40020.
+            /// `0x1A00:06` SubIndex 006. UINT32, ro, default 0x60F40020.
             pub const ENTRY_6: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 6);
 
-            /// `0x1A00:07` Digital inputs. UINT32, ro, default 0x60FD0020.
+            /// `0x1A00:07` SubIndex 007. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_7: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 7);
 
-            /// `0x1A00:08` Additional position actual value / 1st value. UINT32, ro, default 0x60E40120.
+            /// `0x1A00:08` SubIndex 008. UINT32, ro, default 0x60E40120.
             pub const ENTRY_8: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 8);
 
-            /// `0x1A00:09` Status word 2. UINT32, ro, default 0x28C90010.
+            /// `0x1A00:09` SubIndex 009. UINT32, ro, default 0x28C90010.
             pub const ENTRY_9: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 9);
 
-            /// `0x1A00:0A` Status word user-defined. UINT32, ro, default 0x20430010.
+            /// `0x1A00:0A` SubIndex 010. UINT32, ro, default 0x20430010.
             pub const ENTRY_10: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 10);
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, ro, default 0.
+            pub const ENTRY_11: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 11);
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, ro, default 0.
+            pub const ENTRY_12: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 12);
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, ro, default 0.
+            pub const ENTRY_13: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 13);
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, ro, default 0.
+            pub const ENTRY_14: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 14);
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, ro, default 0.
+            pub const ENTRY_15: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 15);
+
+            /// `0x1A00:10` SubIndex 016. UINT32, ro, default 0.
+            pub const ENTRY_16: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 16);
+
+            /// `0x1A00:11` SubIndex 017. UINT32, ro, default 0.
+            pub const ENTRY_17: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 17);
+
+            /// `0x1A00:12` SubIndex 018. UINT32, ro, default 0.
+            pub const ENTRY_18: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 18);
+
+            /// `0x1A00:13` SubIndex 019. UINT32, ro, default 0.
+            pub const ENTRY_19: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 19);
+
+            /// `0x1A00:14` SubIndex 020. UINT32, ro, default 0.
+            pub const ENTRY_20: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 20);
+
+            /// `0x1A00:15` SubIndex 021. UINT32, ro, default 0.
+            pub const ENTRY_21: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 21);
+
+            /// `0x1A00:16` SubIndex 022. UINT32, ro, default 0.
+            pub const ENTRY_22: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 22);
+
+            /// `0x1A00:17` SubIndex 023. UINT32, ro, default 0.
+            pub const ENTRY_23: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 23);
+
+            /// `0x1A00:18` SubIndex 024. UINT32, ro, default 0.
+            pub const ENTRY_24: Entry<SingleHires, u32, ReadOnly> = Entry::new(0x1A00, 24);
         }
 
         /// `0x1C00` Sync manager communication type.
@@ -18208,6 +20513,19 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "switch on"),
+                BitField::new(1, 1, "enable voltage"),
+                BitField::new(2, 1, "quick stop"),
+                BitField::new(3, 1, "enable operation"),
+                BitField::new(7, 1, "fault reset"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -18394,6 +20712,24 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enabled").of_state(),
+                BitField::new(3, 1, "fault").of_state(),
+                BitField::new(4, 1, "voltage enabled"),
+                BitField::new(5, 1, "quick stop").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning"),
+                BitField::new(9, 1, "remote"),
+                BitField::new(11, 1, "internal limit active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x607E` Polarity.
@@ -18420,6 +20756,13 @@ pub mod single_hires {
         #[must_use]
         pub const fn with_position_polarity(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u8) << 7)
+        }
+    }
+
+    impl core::fmt::Display for Polarity {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[BitField::new(7, 1, "position polarity")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -18616,6 +20959,26 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for TouchProbeFunction {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 continuous"),
+                BitField::new(2, 2, "touch probe 1 trigger"),
+                BitField::new(4, 1, "touch probe 1 positive edge"),
+                BitField::new(5, 1, "touch probe 1 negative edge"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 continuous"),
+                BitField::new(10, 2, "touch probe 2 trigger"),
+                BitField::new(12, 1, "touch probe 2 positive edge"),
+                BitField::new(13, 1, "touch probe 2 negative edge"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(TouchProbeFunction as u16);
 
     /// `0x60B9` Touch probe status.
@@ -18695,6 +21058,22 @@ pub mod single_hires {
         /// Bits 14 to 15: touch probe 2 manufacturer-specific.
         pub const fn touch_probe_2_manufacturer_specific(self) -> u16 {
             self.0 >> 14 & 0x3
+        }
+    }
+
+    impl core::fmt::Display for TouchProbeStatus {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "touch probe 1 enabled"),
+                BitField::new(1, 1, "touch probe 1 positive edge stored"),
+                BitField::new(2, 1, "touch probe 1 negative edge stored"),
+                BitField::new(6, 2, "touch probe 1 manufacturer specific"),
+                BitField::new(8, 1, "touch probe 2 enabled"),
+                BitField::new(9, 1, "touch probe 2 positive edge stored"),
+                BitField::new(10, 1, "touch probe 2 negative edge stored"),
+                BitField::new(14, 2, "touch probe 2 manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -18804,6 +21183,20 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for PositioningOptionCode {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 2, "relative option"),
+                BitField::new(2, 2, "change immediately option"),
+                BitField::new(4, 2, "request response option"),
+                BitField::new(6, 2, "rotary axis direction option"),
+                BitField::new(8, 4, "interpolation option"),
+                BitField::new(15, 1, "manufacturer specific 15"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(PositioningOptionCode as u16);
 
     /// `0x60FD` Digital inputs.
@@ -18837,6 +21230,19 @@ pub mod single_hires {
         }
     }
 
+    impl core::fmt::Display for DigitalInputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "negative limit switch"),
+                BitField::new(1, 1, "positive limit switch"),
+                BitField::new(2, 1, "home switch"),
+                BitField::new(3, 1, "interlock"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(DigitalInputs as u32);
 
     /// `0x60FE` Digital outputs.
@@ -18866,6 +21272,14 @@ pub mod single_hires {
         #[must_use]
         pub const fn with_manufacturer_specific(self, value: u32) -> Self {
             Self(self.0 & !(0xFFFF << 16) | (value & 0xFFFF) << 16)
+        }
+    }
+
+    impl core::fmt::Display for PhysicalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "set brake"), BitField::new(16, 16, "manufacturer specific")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -18951,6 +21365,25 @@ pub mod single_hires {
         /// Bits 16 to 31: manufacturer-specific.
         pub const fn manufacturer_specific(self) -> u32 {
             self.0 >> 16 & 0xFFFF
+        }
+    }
+
+    impl core::fmt::Display for SupportedDriveModes {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "pp"),
+                BitField::new(1, 1, "vl"),
+                BitField::new(2, 1, "pv"),
+                BitField::new(3, 1, "tq"),
+                BitField::new(5, 1, "hm"),
+                BitField::new(6, 1, "ip"),
+                BitField::new(7, 1, "csp"),
+                BitField::new(8, 1, "csv"),
+                BitField::new(9, 1, "cst"),
+                BitField::new(10, 1, "cstca"),
+                BitField::new(16, 16, "manufacturer specific"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -19520,7 +21953,8 @@ pub mod single_hires {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -19548,7 +21982,372 @@ pub mod single_hires {
         /// customised.
         ///
         /// Source: 5.1.6, 5.3.9, 6.6.6.3, Tab. 18 to 21.
+        ///
+        /// Corrected, mapping.0x1A00; the source says: name = vl velocity acutal value. A slip of the pen in
+        /// the table of the mapping.
         pub const VELOCITY: [Write; 1] = [Write::new(Address::new(0x6060, 0), &[0x02], "mode of operation")];
+
+        /// Process data of the choice “Interpolated position mode”.
+        pub mod interpolated_position {
+            use super::*;
+
+            /// `0x1600` Receive process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x60C1:01` Interpolation data record, in user unit / 10^I06.
+                pub interpolation_data_record_1st_set_point: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.interpolation_data_record_1st_set_point.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        interpolation_data_record_1st_set_point: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: SingleHires, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 7;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                interpolation_data_record_1st_set_point, set_interpolation_data_record_1st_set_point: i32 => 24, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x60C1, 1), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 7 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6064:00` Position actual value, in user unit / 10^I06.
+                pub position_actual_value: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4, b5, b6] = self.position_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        position_actual_value: i32::from_le_bytes([b3, b4, b5, b6]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: SingleHires, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 7;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                position_actual_value, set_position_actual_value: i32 => 24, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6064, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: SingleHires, Rx, 7);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 7;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 7] {
+                    let [b0, b1, b2, b3, b4, b5, b6] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5, b6]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5, b6]: [u8; 7]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5, b6]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: SingleHires, Tx, 7);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 7;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
+
+        /// Process data of the choice “Velocity mode”.
+        pub mod velocity {
+            use super::*;
+
+            /// `0x1600` Receive process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.1, 7.1.1, Tab. 30, Tab. 31.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Control word.
+                pub controlword: Controlword,
+                /// `0x6060:00` Modes of operation.
+                pub modes_of_operation: i8,
+                /// `0x6042:00` Vl target velocity.
+                pub vl_target_velocity: i16,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation.to_le_bytes();
+                    let [b3, b4] = self.vl_target_velocity.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation: i8::from_le_bytes([b2]),
+                        vl_target_velocity: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: SingleHires, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 5;
+                controlword, set_controlword: Controlword => 0, 16;
+                modes_of_operation, set_modes_of_operation: i8 => 16, 8;
+                vl_target_velocity, set_vl_target_velocity: i16 => 24, 16;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6060, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6042, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Transmit process data, 5 bytes.
+            ///
+            /// Source: 5.1.3.2, 7.1.2, Tab. 32, Tab. 33.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6061:00` Modes of operation display.
+                pub modes_of_operation_display: i8,
+                /// `0x6044:00` Vl velocity actual value.
+                pub vl_velocity_actual_value: i16,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2] = self.modes_of_operation_display.to_le_bytes();
+                    let [b3, b4] = self.vl_velocity_actual_value.to_le_bytes();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        modes_of_operation_display: i8::from_le_bytes([b2]),
+                        vl_velocity_actual_value: i16::from_le_bytes([b3, b4]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: SingleHires, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 5;
+                statusword, set_statusword: Statusword => 0, 16;
+                modes_of_operation_display, set_modes_of_operation_display: i8 => 16, 8;
+                vl_velocity_actual_value, set_vl_velocity_actual_value: i16 => 24, 16;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6061, 0), bits: 8 },
+                    Mapping { address: Address::new(0x6044, 0), bits: 16 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Receive process data.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: SingleHires, Rx, 5);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 5;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Transmit process data.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 5] {
+                    let [b0, b1, b2, b3, b4] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4]: [u8; 5]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: SingleHires, Tx, 5);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 5;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -20672,6 +23471,14 @@ pub mod single_hires {
             pub manufacturer_software_version: &'static str,
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
+            /// `0x1600` Receive process data.
+            ///
+            /// UINT8, ro, default 8.
+            pub rx_pdo_1600: sdo::List<u32, 24>,
+            /// `0x1A00` Transmit process data.
+            ///
+            /// UINT8, ro, default 10.
+            pub tx_pdo_1a00: sdo::List<u32, 24>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -20846,6 +23653,21 @@ pub mod single_hires {
                     product_code: 1,
                     revision_number: 2,
                     serial_number: 0,
+                },
+                rx_pdo_1600: sdo::List {
+                    count: 8,
+                    items: [
+                        0x6040_0010, 0x6060_0008, 0x607A_0020, 0x60FF_0020, 0x60B1_0020, 0x60B2_0010,
+                        0x6071_0010, 0x60FE_0120, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                    ],
+                },
+                tx_pdo_1a00: sdo::List {
+                    count: 10,
+                    items: [
+                        0x6041_0010, 0x6061_0008, 0x6064_0020, 0x606C_0020, 0x6077_0010, 0x60F4_0020,
+                        0x60FD_0020, 0x60E4_0120, 0x28C9_0010, 0x2043_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0,
+                    ],
                 },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
@@ -21225,6 +24047,12 @@ pub mod single_hires {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<SingleHires as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<SingleHires as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -21233,77 +24061,85 @@ pub mod single_hires {
                     2 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     3 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     4 => self.identity_object.slot(place.item),
-                    5 => self.sm_output_parameter.slot(place.item),
-                    6 => self.sm_input_parameter.slot(place.item),
-                    7 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
-                    8 => Some(sdo::Slot::U16(&mut self.status_word_2)),
-                    9 => Some(sdo::Slot::U16(&mut self.error_code)),
-                    10 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                    11 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                    12 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
-                    13 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
-                    14 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
-                    15 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
-                    16 => self.vl_velocity_acceleration.slot(place.item),
-                    17 => self.vl_velocity_deceleration.slot(place.item),
-                    18 => self.vl_velocity_quick_stop.slot(place.item),
-                    19 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
-                    20 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
-                    21 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
-                    22 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
-                    23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                    24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                    25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                    26 => Some(sdo::Slot::U32(&mut self.following_error_window)),
-                    27 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
-                    28 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
-                    29 => Some(sdo::Slot::I16(&mut self.target_torque)),
-                    30 => Some(sdo::Slot::U16(&mut self.max_torque)),
-                    31 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
-                    32 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
-                    33 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
-                    34 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
-                    35 => Some(sdo::Slot::I32(&mut self.target_position)),
-                    36 => self.position_range_limit.slot(place.item),
-                    37 => Some(sdo::Slot::I32(&mut self.home_offset)),
-                    38 => self.software_position_limit.slot(place.item),
-                    39 => Some(sdo::Slot::U8(&mut self.polarity.0)),
-                    40 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
-                    41 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
-                    42 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
-                    43 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
-                    44 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
-                    45 => Some(sdo::Slot::U32(&mut self.torque_slope)),
-                    46 => self.gear_ratio.slot(place.item),
-                    47 => self.feed_constant.slot(place.item),
-                    48 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
-                    49 => self.homing_speeds.slot(place.item),
-                    50 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
-                    51 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
-                    52 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
-                    53 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
-                    54 => Some(sdo::Slot::I16(&mut self.torque_offset)),
-                    55 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
-                    56 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
-                    57 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
-                    58 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
-                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
-                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
-                    61 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
-                    62 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
-                    63 => self.interpolation_time_period.slot(place.item),
-                    64 => self.interpolation_data_configuration.slot(place.item),
-                    65 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
-                    66 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
-                    67 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
-                    68 => self.supported_homing_methods.slot(place.item),
-                    69 => self.additional_position_actual_value.slot(place.item),
-                    70 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
-                    71 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                    72 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
-                    73 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
-                    74 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                    75 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
+                    5 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    6 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    7 => self.sm_output_parameter.slot(place.item),
+                    8 => self.sm_input_parameter.slot(place.item),
+                    9 => Some(sdo::Slot::U16(&mut self.status_word_user_defined)),
+                    10 => Some(sdo::Slot::U16(&mut self.status_word_2)),
+                    11 => Some(sdo::Slot::U16(&mut self.error_code)),
+                    12 => Some(sdo::Slot::U16(&mut self.controlword.0)),
+                    13 => Some(sdo::Slot::U16(&mut self.statusword.0)),
+                    14 => Some(sdo::Slot::I16(&mut self.vl_target_velocity)),
+                    15 => Some(sdo::Slot::I16(&mut self.vl_velocity_demand)),
+                    16 => Some(sdo::Slot::I16(&mut self.vl_velocity_actual_value)),
+                    17 => self.vl_velocity_min_max_amount.get_mut(item).map(sdo::Slot::U32),
+                    18 => self.vl_velocity_acceleration.slot(place.item),
+                    19 => self.vl_velocity_deceleration.slot(place.item),
+                    20 => self.vl_velocity_quick_stop.slot(place.item),
+                    21 => self.vl_set_point_factor.get_mut(item).map(sdo::Slot::I16),
+                    22 => self.vl_dimension_factor.get_mut(item).map(sdo::Slot::I32),
+                    23 => Some(sdo::Slot::I16(&mut self.quick_stop_option_code)),
+                    24 => Some(sdo::Slot::I16(&mut self.fault_reaction_option_code)),
+                    25 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
+                    26 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
+                    27 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
+                    28 => Some(sdo::Slot::U32(&mut self.following_error_window)),
+                    29 => Some(sdo::Slot::U16(&mut self.following_error_time_out)),
+                    30 => Some(sdo::Slot::I32(&mut self.velocity_actual_value)),
+                    31 => Some(sdo::Slot::I16(&mut self.target_torque)),
+                    32 => Some(sdo::Slot::U16(&mut self.max_torque)),
+                    33 => Some(sdo::Slot::U32(&mut self.motor_rated_torque)),
+                    34 => Some(sdo::Slot::I16(&mut self.torque_actual_value)),
+                    35 => Some(sdo::Slot::I16(&mut self.current_actual_value)),
+                    36 => Some(sdo::Slot::U32(&mut self.dc_link_circuit_voltage)),
+                    37 => Some(sdo::Slot::I32(&mut self.target_position)),
+                    38 => self.position_range_limit.slot(place.item),
+                    39 => Some(sdo::Slot::I32(&mut self.home_offset)),
+                    40 => self.software_position_limit.slot(place.item),
+                    41 => Some(sdo::Slot::U8(&mut self.polarity.0)),
+                    42 => Some(sdo::Slot::U32(&mut self.max_profile_velocity)),
+                    43 => Some(sdo::Slot::U32(&mut self.profile_velocity)),
+                    44 => Some(sdo::Slot::U32(&mut self.profile_acceleration)),
+                    45 => Some(sdo::Slot::U32(&mut self.profile_deceleration)),
+                    46 => Some(sdo::Slot::U32(&mut self.quick_stop_deceleration)),
+                    47 => Some(sdo::Slot::U32(&mut self.torque_slope)),
+                    48 => self.gear_ratio.slot(place.item),
+                    49 => self.feed_constant.slot(place.item),
+                    50 => Some(sdo::Slot::I8(&mut self.homing_method.0)),
+                    51 => self.homing_speeds.slot(place.item),
+                    52 => Some(sdo::Slot::U32(&mut self.homing_acceleration)),
+                    53 => Some(sdo::Slot::U8(&mut self.profile_jerk_use)),
+                    54 => self.profile_jerk.get_mut(item).map(sdo::Slot::U32),
+                    55 => Some(sdo::Slot::I32(&mut self.velocity_offset)),
+                    56 => Some(sdo::Slot::I16(&mut self.torque_offset)),
+                    57 => Some(sdo::Slot::U16(&mut self.touch_probe_function.0)),
+                    58 => Some(sdo::Slot::U16(&mut self.touch_probe_status.0)),
+                    59 => Some(sdo::Slot::I32(&mut self.touch_probe_1_positive_edge)),
+                    60 => Some(sdo::Slot::I32(&mut self.touch_probe_1_negative_edge)),
+                    61 => Some(sdo::Slot::I32(&mut self.touch_probe_2_positive_edge)),
+                    62 => Some(sdo::Slot::I32(&mut self.touch_probe_2_negative_edge)),
+                    63 => Some(sdo::Slot::I16(&mut self.interpolation_sub_mode_select)),
+                    64 => self.interpolation_data_record.get_mut(item).map(sdo::Slot::I32),
+                    65 => self.interpolation_time_period.slot(place.item),
+                    66 => self.interpolation_data_configuration.slot(place.item),
+                    67 => Some(sdo::Slot::U32(&mut self.max_acceleration)),
+                    68 => Some(sdo::Slot::U32(&mut self.max_deceleration)),
+                    69 => self.touch_probe_source.get_mut(item).map(sdo::Slot::I16),
+                    70 => self.supported_homing_methods.slot(place.item),
+                    71 => self.additional_position_actual_value.slot(place.item),
+                    72 => Some(sdo::Slot::U16(&mut self.positioning_option_code.0)),
+                    73 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
+                    74 => Some(sdo::Slot::U32(&mut self.digital_inputs.0)),
+                    75 => self.digital_outputs.get_mut(item).map(|item| sdo::Slot::U32(&mut item.0)),
+                    76 => Some(sdo::Slot::I32(&mut self.target_velocity)),
+                    77 => Some(sdo::Slot::U32(&mut self.supported_drive_modes.0)),
                     _ => None,
                 }
             }
@@ -21522,13 +24358,9 @@ pub mod single_hires {
 
         const DIRECTORY: [u8; 256] = positions(0, &[0x10, 0x16, 0x1A, 0x1C, 0x20, 0x28, 0x60, 0x65]);
 
-        const CONSTANTS: [u8; 91] = [
-            0x04, 0x08, 0x10, 0x00, 0x40, 0x60, 0x08, 0x00, 0x60, 0x60, 0x20, 0x00, 0x7A, 0x60, 0x20, 0x00,
-            0xFF, 0x60, 0x20, 0x00, 0xB1, 0x60, 0x10, 0x00, 0xB2, 0x60, 0x10, 0x00, 0x71, 0x60, 0x20, 0x01,
-            0xFE, 0x60, 0x0A, 0x10, 0x00, 0x41, 0x60, 0x08, 0x00, 0x61, 0x60, 0x20, 0x00, 0x64, 0x60, 0x20,
-            0x00, 0x6C, 0x60, 0x10, 0x00, 0x77, 0x60, 0x20, 0x00, 0xF4, 0x60, 0x20, 0x00, 0xFD, 0x60, 0x20,
-            0x01, 0xE4, 0x60, 0x10, 0x00, 0xC9, 0x28, 0x10, 0x00, 0x43, 0x20, 0x04, 0x01, 0x02, 0x03, 0x04,
-            0x01, 0x00, 0x16, 0x01, 0x00, 0x1A, 0x20, 0x02, 0x01, 0x05, 0x14,
+        const CONSTANTS: [u8; 17] = [
+            0x04, 0x04, 0x01, 0x02, 0x03, 0x04, 0x01, 0x00, 0x16, 0x01, 0x00, 0x1A, 0x20, 0x02, 0x01, 0x05,
+            0x14,
         ];
 
         const fn object(
@@ -21585,10 +24417,12 @@ pub mod single_hires {
             first: 0x00,
             axis: 0,
             slots: &SLOTS_16,
-            objects: &[constant(
+            objects: &[object(
                 ObjectCode::Record,
-                &const { EntryInfo::list::<9>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                1,
+                0,
+                5,
+                &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                0,
             )],
         };
 
@@ -21598,10 +24432,12 @@ pub mod single_hires {
             first: 0x00,
             axis: 0,
             slots: &SLOTS_1A,
-            objects: &[constant(
+            objects: &[object(
                 ObjectCode::Record,
-                &const { EntryInfo::list::<11>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                34,
+                0,
+                6,
+                &const { EntryInfo::counted::<25>(DataType::UNSIGNED32, 32, RO) },
+                0,
             )],
         };
 
@@ -21615,22 +24451,22 @@ pub mod single_hires {
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED8, 8, RO) },
-                    75,
+                    1,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    80,
+                    6,
                 ),
                 constant(
                     ObjectCode::Array,
                     &const { EntryInfo::list::<2>(CONSTANT, DataType::UNSIGNED16, 16, RO) },
-                    83,
+                    9,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    5,
+                    7,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED16, 16, RW),
@@ -21647,12 +24483,12 @@ pub mod single_hires {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    86,
+                    12,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    6,
+                    8,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED16, 16, RW),
@@ -21669,7 +24505,7 @@ pub mod single_hires {
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
                         entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
                     ],
-                    86,
+                    12,
                 ),
             ],
         };
@@ -21683,7 +24519,7 @@ pub mod single_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                7,
+                9,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -21698,7 +24534,7 @@ pub mod single_hires {
             objects: &[object(
                 ObjectCode::Variable,
                 0,
-                8,
+                10,
                 &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))],
                 0,
             )],
@@ -21720,52 +24556,30 @@ pub mod single_hires {
             axis: 0,
             slots: &SLOTS_60,
             objects: &[
-                object(ObjectCode::Variable, 0, 9, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    10,
-                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 11, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
                     12,
+                    &[entry(0, 0, DataType(0x001F), 16, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType(0x001F), 16, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    14,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 13, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 14, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 15, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 16, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    15,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    16,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    87,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
                     17,
-                    &[
-                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
-                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
-                    ],
-                    87,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    13,
                 ),
                 object(
                     ObjectCode::Record,
@@ -21776,80 +24590,88 @@ pub mod single_hires {
                         entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
                         entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
                     ],
-                    87,
+                    13,
                 ),
                 object(
-                    ObjectCode::Array,
+                    ObjectCode::Record,
                     0,
                     19,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
-                    87,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    13,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    20,
+                    &[
+                        entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
+                        entry(1, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)),
+                        entry(2, 1, DataType::UNSIGNED16, 16, RW.and(RX).and(TX)),
+                    ],
+                    13,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
-                    20,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    21,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW.and(RX).and(TX)) },
+                    13,
                 ),
-                object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    22,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    13,
+                ),
+                object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    23,
+                    25,
                     &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 27, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    26,
+                    28,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    27,
+                    29,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 28, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
-                    29,
+                    31,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    30,
+                    32,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 31, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    35,
-                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    36,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    87,
-                ),
+                object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::INTEGER16, 16, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO.and(TX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -21862,23 +24684,23 @@ pub mod single_hires {
                     0,
                     38,
                     &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    13,
                 ),
-                object(ObjectCode::Variable, 0, 39, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
+                    0,
+                    39,
+                    &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Record,
                     0,
                     40,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
+                    13,
                 ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    41,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
+                object(ObjectCode::Variable, 0, 41, &[entry(0, 0, DataType::UNSIGNED8, 8, RW.and(RX))], 0),
                 object(
                     ObjectCode::Variable,
                     0,
@@ -21908,91 +24730,105 @@ pub mod single_hires {
                     0,
                 ),
                 object(
-                    ObjectCode::Record,
+                    ObjectCode::Variable,
                     0,
                     46,
-                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    47,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    47,
+                    48,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    13,
                 ),
-                object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
                 object(
                     ObjectCode::Record,
                     0,
                     49,
                     &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    87,
+                    13,
+                ),
+                object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    51,
+                    &const { EntryInfo::list::<3>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
+                    13,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    50,
+                    52,
                     &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 51, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 53, &[entry(0, 0, DataType::UNSIGNED8, 8, RW)], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    52,
+                    54,
                     &const { EntryInfo::list::<2>(0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX)) },
-                    88,
+                    14,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    53,
+                    55,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    54,
+                    56,
                     &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    55,
+                    57,
                     &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX).and(TX))],
                     0,
                 ),
-                object(ObjectCode::Variable, 0, 56, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 57, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 58, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 59, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 60, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 61, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 62, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 63, &[entry(0, 0, DataType::INTEGER16, 16, RW.and(RX))], 0),
                 object(
                     ObjectCode::Array,
                     0,
-                    62,
+                    64,
                     &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RW.and(RX).and(TX)) },
-                    88,
+                    14,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    63,
+                    65,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED8, 8, RW.and(RX)),
                         entry(2, 1, DataType::INTEGER8, 8, RW.and(RX)),
                     ],
-                    87,
+                    13,
                 ),
                 object(
                     ObjectCode::Record,
                     0,
-                    64,
+                    66,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
                         entry(1, 0, DataType::UNSIGNED32, 32, RO),
@@ -22002,57 +24838,57 @@ pub mod single_hires {
                         entry(5, 4, DataType::UNSIGNED8, 8, WO),
                         entry(6, 5, DataType::UNSIGNED8, 8, WO),
                     ],
-                    89,
+                    15,
                 ),
                 object(
                     ObjectCode::Variable,
-                    0,
-                    65,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Variable,
-                    0,
-                    66,
-                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
-                    0,
-                ),
-                object(
-                    ObjectCode::Array,
                     0,
                     67,
-                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
-                    87,
-                ),
-                object(
-                    ObjectCode::Record,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
                     0,
-                    68,
-                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
-                    90,
-                ),
-                object(
-                    ObjectCode::Record,
-                    0,
-                    69,
-                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
-                    88,
-                ),
-                object(ObjectCode::Variable, 0, 70, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 71, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
-                object(
-                    ObjectCode::Array,
-                    0,
-                    73,
-                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
-                    88,
                 ),
                 object(
                     ObjectCode::Variable,
                     0,
-                    74,
+                    68,
+                    &[entry(0, 0, DataType::UNSIGNED32, 32, RW.and(RX).and(TX))],
+                    0,
+                ),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    69,
+                    &const { EntryInfo::list::<3>(0, DataType::INTEGER16, 16, RW) },
+                    13,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    70,
+                    &const { EntryInfo::list::<21>(0, DataType::INTEGER8, 8, RO) },
+                    16,
+                ),
+                object(
+                    ObjectCode::Record,
+                    0,
+                    71,
+                    &const { EntryInfo::list::<2>(0, DataType::INTEGER32, 32, RO.and(TX)) },
+                    14,
+                ),
+                object(ObjectCode::Variable, 0, 72, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
+                object(ObjectCode::Variable, 0, 73, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 74, &[entry(0, 0, DataType(0x0020), 32, RO.and(TX))], 0),
+                object(
+                    ObjectCode::Array,
+                    0,
+                    75,
+                    &const { EntryInfo::list::<2>(0, DataType(0x0020), 32, RW.and(RX)) },
+                    14,
+                ),
+                object(
+                    ObjectCode::Variable,
+                    0,
+                    76,
                     &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX).and(TX))],
                     0,
                 ),
@@ -22065,7 +24901,7 @@ pub mod single_hires {
             first: 0x02,
             axis: 0,
             slots: &SLOTS_65,
-            objects: &[object(ObjectCode::Variable, 0, 75, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+            objects: &[object(ObjectCode::Variable, 0, 77, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
         };
     }
 }

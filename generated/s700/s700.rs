@@ -34,7 +34,7 @@ pub mod s300 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -161,11 +161,98 @@ pub mod s300 {
         pub mod rx_pdo_1600 {
             use super::*;
 
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1600:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadWrite> = Entry::new(0x1600, 0);
 
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60400010.
             pub const ENTRY_1: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 1);
+
+            /// `0x1600:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 2);
+
+            /// `0x1600:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 3);
+
+            /// `0x1600:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 4);
+
+            /// `0x1600:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 5);
+
+            /// `0x1600:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 6);
+
+            /// `0x1600:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 7);
+
+            /// `0x1600:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 8);
+
+            /// `0x1600:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 9);
+
+            /// `0x1600:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 10);
+
+            /// `0x1600:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 11);
+
+            /// `0x1600:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 12);
+
+            /// `0x1600:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 13);
+
+            /// `0x1600:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 14);
+
+            /// `0x1600:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 15);
+
+            /// `0x1600:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 16);
+
+            /// `0x1600:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 17);
+
+            /// `0x1600:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 18);
+
+            /// `0x1600:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 19);
+
+            /// `0x1600:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 20);
+
+            /// `0x1600:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 21);
+
+            /// `0x1600:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 22);
+
+            /// `0x1600:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 23);
+
+            /// `0x1600:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 24);
+
+            /// `0x1600:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 25);
+
+            /// `0x1600:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 26);
+
+            /// `0x1600:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 27);
+
+            /// `0x1600:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 28);
+
+            /// `0x1600:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 29);
+
+            /// `0x1600:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S300, u32, ReadWrite> = Entry::new(0x1600, 30);
         }
 
         /// `0x1701` Position interface.
@@ -490,11 +577,104 @@ pub mod s300 {
         pub mod tx_pdo_1a00 {
             use super::*;
 
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1A00:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadWrite> = Entry::new(0x1A00, 0);
 
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60410010.
             pub const ENTRY_1: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 1);
+
+            /// `0x1A00:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 2);
+
+            /// `0x1A00:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 3);
+
+            /// `0x1A00:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 4);
+
+            /// `0x1A00:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 5);
+
+            /// `0x1A00:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 6);
+
+            /// `0x1A00:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 7);
+
+            /// `0x1A00:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 8);
+
+            /// `0x1A00:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 9);
+
+            /// `0x1A00:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 10);
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 11);
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 12);
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 13);
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 14);
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 15);
+
+            /// `0x1A00:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 16);
+
+            /// `0x1A00:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 17);
+
+            /// `0x1A00:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 18);
+
+            /// `0x1A00:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 19);
+
+            /// `0x1A00:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 20);
+
+            /// `0x1A00:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 21);
+
+            /// `0x1A00:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 22);
+
+            /// `0x1A00:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 23);
+
+            /// `0x1A00:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 24);
+
+            /// `0x1A00:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 25);
+
+            /// `0x1A00:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 26);
+
+            /// `0x1A00:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 27);
+
+            /// `0x1A00:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 28);
+
+            /// `0x1A00:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 29);
+
+            /// `0x1A00:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 30);
+
+            /// `0x1A00:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_31: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 31);
+
+            /// `0x1A00:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_32: Entry<S300, u32, ReadWrite> = Entry::new(0x1A00, 32);
         }
 
         /// `0x1B01` Position, velocity interface.
@@ -1996,6 +2176,22 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -2104,6 +2300,29 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -2188,6 +2407,20 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -2256,6 +2489,24 @@ pub mod s300 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -2285,6 +2536,14 @@ pub mod s300 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -2330,6 +2589,21 @@ pub mod s300 {
         /// Bit 6: digital input 1.
         pub const fn digital_input_1(self) -> bool {
             self.0 & 1 << 6 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -4414,7 +4688,8 @@ pub mod s300 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -4460,6 +4735,216 @@ pub mod s300 {
             Write::new(Address::new(0x60C2, 1), &[0x02], "interpolation time period"),
             Write::new(Address::new(0x60C2, 2), &[0xFD], "its power of ten in seconds"),
         ];
+
+        /// Process data of the choice “Fixed mapping 0x1701”.
+        pub mod position {
+            use super::*;
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Position interface.
+                pub rx_pdo_1701: RxPdo1701,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1701.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1701: RxPdo1701::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S300, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+            }
+
+            /// As by default.
+            pub type Inputs = super::super::Inputs;
+        }
+
+        /// Process data of the choice “Free mapping of set and actual position”.
+        pub mod free_mapping {
+            use super::*;
+
+            /// `0x1600` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Controlword.
+                pub controlword: Controlword,
+                /// `0x60C1:00` Position setpoint, in increments.
+                pub position_setpoint: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_setpoint.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        position_setpoint: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: S300, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 6;
+                controlword, set_controlword: Controlword => 0, 16;
+                position_setpoint, set_position_setpoint: i32 => 16, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x60C1, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6063:00` Position actual value 1, in increments.
+                pub position_actual_value_1: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_actual_value_1.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        position_actual_value_1: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: S300, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 6;
+                statusword, set_statusword: Statusword => 0, 16;
+                position_actual_value_1, set_position_actual_value_1: i32 => 16, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6063, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Free mapping.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S300, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Free mapping.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: S300, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 6;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -4938,13 +5423,21 @@ pub mod s300 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1600` Free mapping.
-            pub rx_pdo_1600: RxPdo1600,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub rx_pdo_1600: sdo::List<u32, 30>,
             /// `0x1A00` Free mapping.
-            pub tx_pdo_1a00: TxPdo1a00,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub tx_pdo_1a00: sdo::List<u32, 32>,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -5153,16 +5646,22 @@ pub mod s300 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                rx_pdo_1600: RxPdo1600 { highest_subindex_supported: 1, entry_1: 0x6040_0010 },
-                tx_pdo_1a00: TxPdo1a00 { highest_subindex_supported: 1, entry_1: 0x6041_0010 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1702,
+                rx_pdo_1600: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0,
+                    ],
                 },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
+                tx_pdo_1a00: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0,
+                    ],
                 },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1702] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -5270,42 +5769,6 @@ pub mod s300 {
             pub serial_number: u32,
         }
 
-        /// `0x1600` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct RxPdo1600 {
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1A00` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct TxPdo1a00 {
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -5380,6 +5843,12 @@ pub mod s300 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S300 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S300 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[(0x1600, 64), (0x1A00, 64)],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -5391,10 +5860,22 @@ pub mod s300 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.rx_pdo_1600.slot(place.item),
-                    9 => self.tx_pdo_1a00.slot(place.item),
-                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    10 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    11 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     12 => self.sm_output_parameter.slot(place.item),
                     13 => self.sm_input_parameter.slot(place.item),
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -5461,46 +5942,6 @@ pub mod s300 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl RxPdo1600 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl TxPdo1a00 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -5678,7 +6119,7 @@ pub mod s300 {
                 ObjectCode::Record,
                 0,
                 8,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<31>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -5769,7 +6210,7 @@ pub mod s300 {
                 ObjectCode::Record,
                 0,
                 9,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<33>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -5851,20 +6292,14 @@ pub mod s300 {
                     ObjectCode::Array,
                     0,
                     10,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     11,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
@@ -6127,7 +6562,7 @@ pub mod s400 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -7821,6 +8256,22 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -7929,6 +8380,29 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -8013,6 +8487,20 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -8081,6 +8569,24 @@ pub mod s400 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -8110,6 +8616,14 @@ pub mod s400 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -8155,6 +8669,21 @@ pub mod s400 {
         /// Bit 6: digital input 1.
         pub const fn digital_input_1(self) -> bool {
             self.0 & 1 << 6 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -9470,7 +9999,8 @@ pub mod s400 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -9962,9 +10492,13 @@ pub mod s400 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -10173,14 +10707,8 @@ pub mod s400 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1701,
-                },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
-                },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1701] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -10288,24 +10816,6 @@ pub mod s400 {
             pub serial_number: u32,
         }
 
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -10380,6 +10890,12 @@ pub mod s400 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S400 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S400 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -10391,8 +10907,14 @@ pub mod s400 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     10 => self.sm_output_parameter.slot(place.item),
                     11 => self.sm_input_parameter.slot(place.item),
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -10459,26 +10981,6 @@ pub mod s400 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -10741,20 +11243,14 @@ pub mod s400 {
                     ObjectCode::Array,
                     0,
                     8,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     9,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
@@ -11017,7 +11513,7 @@ pub mod s600 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -12711,6 +13207,22 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -12819,6 +13331,29 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -12903,6 +13438,20 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -12971,6 +13520,24 @@ pub mod s600 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -13000,6 +13567,14 @@ pub mod s600 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -13045,6 +13620,21 @@ pub mod s600 {
         /// Bit 6: digital input 1.
         pub const fn digital_input_1(self) -> bool {
             self.0 & 1 << 6 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -14360,7 +14950,8 @@ pub mod s600 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -14852,9 +15443,13 @@ pub mod s600 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -15063,14 +15658,8 @@ pub mod s600 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1701,
-                },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
-                },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1701] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -15178,24 +15767,6 @@ pub mod s600 {
             pub serial_number: u32,
         }
 
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1701.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -15270,6 +15841,12 @@ pub mod s600 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S600 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S600 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -15281,8 +15858,14 @@ pub mod s600 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    9 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     10 => self.sm_output_parameter.slot(place.item),
                     11 => self.sm_input_parameter.slot(place.item),
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -15349,26 +15932,6 @@ pub mod s600 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -15631,20 +16194,14 @@ pub mod s600 {
                     ObjectCode::Array,
                     0,
                     8,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     9,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
@@ -15907,7 +16464,7 @@ pub mod s700 {
         Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
     };
     use ::devc_runtime::error::{ErrorInfo, ErrorRange};
-    use ::devc_runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+    use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
     use ::devc_runtime::pdo::{
         Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager,
         Tx, Unmapped,
@@ -16034,11 +16591,98 @@ pub mod s700 {
         pub mod rx_pdo_1600 {
             use super::*;
 
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1600:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadWrite> = Entry::new(0x1600, 0);
 
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
+            /// `0x1600:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60400010.
             pub const ENTRY_1: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 1);
+
+            /// `0x1600:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 2);
+
+            /// `0x1600:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 3);
+
+            /// `0x1600:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 4);
+
+            /// `0x1600:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 5);
+
+            /// `0x1600:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 6);
+
+            /// `0x1600:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 7);
+
+            /// `0x1600:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 8);
+
+            /// `0x1600:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 9);
+
+            /// `0x1600:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 10);
+
+            /// `0x1600:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 11);
+
+            /// `0x1600:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 12);
+
+            /// `0x1600:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 13);
+
+            /// `0x1600:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 14);
+
+            /// `0x1600:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 15);
+
+            /// `0x1600:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 16);
+
+            /// `0x1600:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 17);
+
+            /// `0x1600:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 18);
+
+            /// `0x1600:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 19);
+
+            /// `0x1600:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 20);
+
+            /// `0x1600:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 21);
+
+            /// `0x1600:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 22);
+
+            /// `0x1600:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 23);
+
+            /// `0x1600:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 24);
+
+            /// `0x1600:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 25);
+
+            /// `0x1600:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 26);
+
+            /// `0x1600:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 27);
+
+            /// `0x1600:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 28);
+
+            /// `0x1600:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 29);
+
+            /// `0x1600:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S700, u32, ReadWrite> = Entry::new(0x1600, 30);
         }
 
         /// `0x1701` Position interface.
@@ -16363,11 +17007,104 @@ pub mod s700 {
         pub mod tx_pdo_1a00 {
             use super::*;
 
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
+            /// `0x1A00:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadWrite> = Entry::new(0x1A00, 0);
 
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
+            /// `0x1A00:01` SubIndex 001. UINT32, rw, written in PreOP only, default 0x60410010.
             pub const ENTRY_1: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 1);
+
+            /// `0x1A00:02` SubIndex 002. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_2: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 2);
+
+            /// `0x1A00:03` SubIndex 003. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_3: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 3);
+
+            /// `0x1A00:04` SubIndex 004. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_4: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 4);
+
+            /// `0x1A00:05` SubIndex 005. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_5: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 5);
+
+            /// `0x1A00:06` SubIndex 006. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_6: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 6);
+
+            /// `0x1A00:07` SubIndex 007. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_7: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 7);
+
+            /// `0x1A00:08` SubIndex 008. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_8: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 8);
+
+            /// `0x1A00:09` SubIndex 009. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_9: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 9);
+
+            /// `0x1A00:0A` SubIndex 010. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_10: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 10);
+
+            /// `0x1A00:0B` SubIndex 011. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_11: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 11);
+
+            /// `0x1A00:0C` SubIndex 012. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_12: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 12);
+
+            /// `0x1A00:0D` SubIndex 013. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_13: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 13);
+
+            /// `0x1A00:0E` SubIndex 014. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_14: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 14);
+
+            /// `0x1A00:0F` SubIndex 015. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_15: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 15);
+
+            /// `0x1A00:10` SubIndex 016. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_16: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 16);
+
+            /// `0x1A00:11` SubIndex 017. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_17: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 17);
+
+            /// `0x1A00:12` SubIndex 018. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_18: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 18);
+
+            /// `0x1A00:13` SubIndex 019. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_19: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 19);
+
+            /// `0x1A00:14` SubIndex 020. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_20: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 20);
+
+            /// `0x1A00:15` SubIndex 021. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_21: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 21);
+
+            /// `0x1A00:16` SubIndex 022. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_22: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 22);
+
+            /// `0x1A00:17` SubIndex 023. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_23: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 23);
+
+            /// `0x1A00:18` SubIndex 024. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_24: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 24);
+
+            /// `0x1A00:19` SubIndex 025. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_25: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 25);
+
+            /// `0x1A00:1A` SubIndex 026. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_26: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 26);
+
+            /// `0x1A00:1B` SubIndex 027. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_27: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 27);
+
+            /// `0x1A00:1C` SubIndex 028. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_28: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 28);
+
+            /// `0x1A00:1D` SubIndex 029. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_29: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 29);
+
+            /// `0x1A00:1E` SubIndex 030. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_30: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 30);
+
+            /// `0x1A00:1F` SubIndex 031. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_31: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 31);
+
+            /// `0x1A00:20` SubIndex 032. UINT32, rw, written in PreOP only, default 0.
+            pub const ENTRY_32: Entry<S700, u32, ReadWrite> = Entry::new(0x1A00, 32);
         }
 
         /// `0x1B01` Position, velocity interface.
@@ -17869,6 +18606,22 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for Controlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable if bit 1 1"),
+                BitField::new(1, 1, "enable switch on"),
+                BitField::new(2, 1, "enable for bit 3 and show bit 5 in the statusword"),
+                BitField::new(3, 1, "common set point enable"),
+                BitField::new(7, 1, "quit fault"),
+                BitField::new(11, 1, "start homing"),
+                BitField::new(12, 1, "save parameters"),
+                BitField::new(15, 1, "ascii toggle"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Controlword as u16);
 
     /// `0x6041` Statusword.
@@ -17977,6 +18730,29 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for Statusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "ready to switch on").of_state(),
+                BitField::new(1, 1, "switched on").of_state(),
+                BitField::new(2, 1, "operation enable").of_state(),
+                BitField::new(3, 1, "error").of_state(),
+                BitField::new(5, 1, "no emergency stop active").of_state(),
+                BitField::new(6, 1, "switch on disabled").of_state(),
+                BitField::new(7, 1, "warning present"),
+                BitField::new(8, 1, "following error present"),
+                BitField::new(9, 1, "reference point set"),
+                BitField::new(10, 1, "target reached"),
+                BitField::new(11, 1, "hardware limit switch or software limit switch reached"),
+                BitField::new(12, 1, "ethercat communication ok"),
+                BitField::new(13, 1, "homing error emergency stop activated"),
+                BitField::new(14, 1, "hardware reset needed"),
+                BitField::new(15, 1, "motion task active"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), self.state().ok(), FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(Statusword as u16);
 
     /// `0x20A4` Latch controlword.
@@ -18061,6 +18837,20 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for LatchControlword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "enable external latch 1 positive edge"),
+                BitField::new(1, 1, "enable external latch 1 negative edge"),
+                BitField::new(2, 1, "enable external latch 2 positive edge"),
+                BitField::new(3, 1, "enable external latch 2 negative edge"),
+                BitField::new(4, 1, "enable internal latch c positive edge"),
+                BitField::new(8, 5, "latch to read"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchControlword as u16);
 
     /// `0x20A5` Latch statusword.
@@ -18129,6 +18919,24 @@ pub mod s700 {
         }
     }
 
+    impl core::fmt::Display for LatchStatusword {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "external latch 1 valid positive edge"),
+                BitField::new(1, 1, "external latch 1 valid negative edge"),
+                BitField::new(2, 1, "external latch 2 valid positive edge"),
+                BitField::new(3, 1, "external latch 2 valid negative edge"),
+                BitField::new(4, 1, "internal latch c valid positive edge"),
+                BitField::new(8, 4, "latch acknowledged"),
+                BitField::new(12, 1, "digital input 4"),
+                BitField::new(13, 1, "digital input 3"),
+                BitField::new(14, 1, "digital input 2"),
+                BitField::new(15, 1, "digital input 1"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
+        }
+    }
+
     ::devc_runtime::value!(LatchStatusword as u16);
 
     /// `0x2302` State of digital output.
@@ -18158,6 +18966,14 @@ pub mod s700 {
         #[must_use]
         pub const fn with_digital_output_2(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
+        }
+    }
+
+    impl core::fmt::Display for DigitalOutputs {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] =
+                &[BitField::new(0, 1, "digital output 1"), BitField::new(1, 1, "digital output 2")];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -18213,6 +19029,23 @@ pub mod s700 {
         /// Bit 8: digital input 6.
         pub const fn digital_input_6(self) -> bool {
             self.0 & 1 << 8 != 0
+        }
+    }
+
+    impl core::fmt::Display for DigitalIo {
+        fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+            const FIELDS: &[BitField] = &[
+                BitField::new(0, 1, "digital output 2"),
+                BitField::new(1, 1, "digital output 1"),
+                BitField::new(2, 1, "hardware enable"),
+                BitField::new(3, 1, "digital input 4"),
+                BitField::new(4, 1, "digital input 3"),
+                BitField::new(5, 1, "digital input 2"),
+                BitField::new(6, 1, "digital input 1"),
+                BitField::new(7, 1, "digital input 5"),
+                BitField::new(8, 1, "digital input 6"),
+            ];
+            ::devc_runtime::object::show_word(f, self.0.into(), None::<&str>, FIELDS)
         }
     }
 
@@ -20297,7 +21130,8 @@ pub mod s700 {
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
     }
 
-    /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+    /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+    /// then.
     pub mod configurations {
         use super::*;
 
@@ -20343,6 +21177,216 @@ pub mod s700 {
             Write::new(Address::new(0x60C2, 1), &[0x02], "interpolation time period"),
             Write::new(Address::new(0x60C2, 2), &[0xFD], "its power of ten in seconds"),
         ];
+
+        /// Process data of the choice “Fixed mapping 0x1701”.
+        pub mod position {
+            use super::*;
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Position interface.
+                pub rx_pdo_1701: RxPdo1701,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1701.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1701: RxPdo1701::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S700, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1701, rx_pdo_1701_mut: RxPdo1701 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1701>(0)];
+            }
+
+            /// As by default.
+            pub type Inputs = super::super::Inputs;
+        }
+
+        /// Process data of the choice “Free mapping of set and actual position”.
+        pub mod free_mapping {
+            use super::*;
+
+            /// `0x1600` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct RxPdo1600 {
+                /// `0x6040:00` Controlword.
+                pub controlword: Controlword,
+                /// `0x60C1:00` Position setpoint, in increments.
+                pub position_setpoint: i32,
+            }
+
+            impl RxPdo1600 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.controlword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_setpoint.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        controlword: Controlword(u16::from_le_bytes([b0, b1])),
+                        position_setpoint: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(RxPdo1600: S700, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub RxPdo1600View of RxPdo1600, 6;
+                controlword, set_controlword: Controlword => 0, 16;
+                position_setpoint, set_position_setpoint: i32 => 16, 32;
+            }
+
+            impl Pdo for RxPdo1600 {
+                const INDEX: u16 = 0x1600;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6040, 0), bits: 16 },
+                    Mapping { address: Address::new(0x60C1, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// `0x1A00` Free mapping, 6 bytes.
+            ///
+            /// Source: 3.6, 3.6.1.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct TxPdo1A00 {
+                /// `0x6041:00` Statusword.
+                pub statusword: Statusword,
+                /// `0x6063:00` Position actual value 1, in increments.
+                pub position_actual_value_1: i32,
+            }
+
+            impl TxPdo1A00 {
+                /// The fields as they are in the frame.
+                #[inline(always)]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1] = self.statusword.0.to_le_bytes();
+                    let [b2, b3, b4, b5] = self.position_actual_value_1.to_le_bytes();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self {
+                        statusword: Statusword(u16::from_le_bytes([b0, b1])),
+                        position_actual_value_1: i32::from_le_bytes([b2, b3, b4, b5]),
+                    }
+                }
+            }
+
+            ::devc_runtime::process_data!(TxPdo1A00: S700, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub TxPdo1A00View of TxPdo1A00, 6;
+                statusword, set_statusword: Statusword => 0, 16;
+                position_actual_value_1, set_position_actual_value_1: i32 => 16, 32;
+            }
+
+            impl Pdo for TxPdo1A00 {
+                const INDEX: u16 = 0x1A00;
+
+                const MAPPING: &'static [Mapping] = &[
+                    Mapping { address: Address::new(0x6041, 0), bits: 16 },
+                    Mapping { address: Address::new(0x6063, 0), bits: 32 },
+                ];
+
+                const ALL: &'static [MappedPdo] = &[MappedPdo::own(Self::INDEX, Self::MAPPING)];
+            }
+
+            /// What the master sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Outputs {
+                /// Free mapping.
+                pub rx_pdo_1600: RxPdo1600,
+            }
+
+            impl Outputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.rx_pdo_1600.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { rx_pdo_1600: RxPdo1600::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Outputs: S700, Rx, 6);
+
+            ::devc_runtime::view! {
+                pub OutputsView of PDOs in Outputs, 6;
+                rx_pdo_1600, rx_pdo_1600_mut: RxPdo1600 => 0;
+            }
+
+            impl ProcessImage for Outputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<RxPdo1600>(0)];
+            }
+
+            /// What the device sends then.
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct Inputs {
+                /// Free mapping.
+                pub tx_pdo_1a00: TxPdo1A00,
+            }
+
+            impl Inputs {
+                /// The fields as they are in the frame.
+                #[inline]
+                pub const fn pack(self) -> [u8; 6] {
+                    let [b0, b1, b2, b3, b4, b5] = self.tx_pdo_1a00.pack();
+                    [b0, b1, b2, b3, b4, b5]
+                }
+
+                /// The fields out of the frame.
+                #[inline]
+                pub const fn unpack([b0, b1, b2, b3, b4, b5]: [u8; 6]) -> Self {
+                    Self { tx_pdo_1a00: TxPdo1A00::unpack([b0, b1, b2, b3, b4, b5]) }
+                }
+            }
+
+            ::devc_runtime::process_data!(Inputs: S700, Tx, 6);
+
+            ::devc_runtime::view! {
+                pub InputsView of PDOs in Inputs, 6;
+                tx_pdo_1a00, tx_pdo_1a00_mut: TxPdo1A00 => 0;
+            }
+
+            impl ProcessImage for Inputs {
+                const PDOS: &'static [MappedPdo] = &[MappedPdo::of_axis::<TxPdo1A00>(0)];
+            }
+        }
     }
 
     /// How the statusword shows the states, bit 7 first.
@@ -20821,13 +21865,21 @@ pub mod s700 {
             /// `0x1018` Identity object.
             pub identity_object: IdentityObject,
             /// `0x1600` Free mapping.
-            pub rx_pdo_1600: RxPdo1600,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub rx_pdo_1600: sdo::List<u32, 30>,
             /// `0x1A00` Free mapping.
-            pub tx_pdo_1a00: TxPdo1a00,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub tx_pdo_1a00: sdo::List<u32, 32>,
             /// `0x1C12` Sync manager 2 PDO assignment.
-            pub sync_manager_2_pdo_assignment: SyncManager2PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_2_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C13` Sync manager 3 PDO assignment.
-            pub sync_manager_3_pdo_assignment: SyncManager3PdoAssignment,
+            ///
+            /// UINT8, rw, written in PreOP only, default 1.
+            pub sync_manager_3_pdo_assignment: sdo::List<u16, 1>,
             /// `0x1C32` SM output parameter.
             pub sm_output_parameter: SmOutputParameter,
             /// `0x1C33` SM input parameter.
@@ -21036,16 +22088,22 @@ pub mod s700 {
                     revision_number: 0,
                     serial_number: 0,
                 },
-                rx_pdo_1600: RxPdo1600 { highest_subindex_supported: 1, entry_1: 0x6040_0010 },
-                tx_pdo_1a00: TxPdo1a00 { highest_subindex_supported: 1, entry_1: 0x6041_0010 },
-                sync_manager_2_pdo_assignment: SyncManager2PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1702,
+                rx_pdo_1600: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6040_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0,
+                    ],
                 },
-                sync_manager_3_pdo_assignment: SyncManager3PdoAssignment {
-                    highest_subindex_supported: 1,
-                    entry_1: 0x1B01,
+                tx_pdo_1a00: sdo::List {
+                    count: 1,
+                    items: [
+                        0x6041_0010, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                        0, 0, 0, 0, 0, 0, 0,
+                    ],
                 },
+                sync_manager_2_pdo_assignment: sdo::List { count: 1, items: [0x1702] },
+                sync_manager_3_pdo_assignment: sdo::List { count: 1, items: [0x1B01] },
                 sm_output_parameter: SmOutputParameter {
                     synchronization_type: SynchronizationType(0),
                     cycle_time: 0,
@@ -21153,42 +22211,6 @@ pub mod s700 {
             pub serial_number: u32,
         }
 
-        /// `0x1600` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct RxPdo1600 {
-            /// `0x1600:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1600:01` Controlword. UINT32, rw, default 0x60400010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1A00` Free mapping.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct TxPdo1a00 {
-            /// `0x1A00:00` Highest subindex supported. UINT8, rw, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1A00:01` Statusword. UINT32, rw, default 0x60410010.
-            pub entry_1: u32,
-        }
-
-        /// `0x1C12` Sync manager 2 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager2PdoAssignment {
-            /// `0x1C12:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C12:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1702.
-            pub entry_1: u16,
-        }
-
-        /// `0x1C13` Sync manager 3 PDO assignment.
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct SyncManager3PdoAssignment {
-            /// `0x1C13:00` Highest subindex supported. UINT8, rw, written in PreOP only, default 1.
-            pub highest_subindex_supported: u8,
-            /// `0x1C13:01` SubIndex 001. UINT16, rw, written in PreOP only, default 0x1B01.
-            pub entry_1: u16,
-        }
-
         /// `0x1C32` SM output parameter.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct SmOutputParameter {
@@ -21263,6 +22285,12 @@ pub mod s700 {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
 
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: Some(<S700 as Carries<Rx>>::SYNC_MANAGER),
+                inputs: Some(<S700 as Carries<Tx>>::SYNC_MANAGER),
+                max_bytes: &[(0x1600, 64), (0x1A00, 64)],
+            });
+
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
                 match place.field {
@@ -21274,10 +22302,22 @@ pub mod s700 {
                     5 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
                     6 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
                     7 => self.identity_object.slot(place.item),
-                    8 => self.rx_pdo_1600.slot(place.item),
-                    9 => self.tx_pdo_1a00.slot(place.item),
-                    10 => self.sync_manager_2_pdo_assignment.slot(place.item),
-                    11 => self.sync_manager_3_pdo_assignment.slot(place.item),
+                    8 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.rx_pdo_1600.count)),
+                        item => self.rx_pdo_1600.item(item).map(sdo::Slot::U32),
+                    },
+                    9 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.tx_pdo_1a00.count)),
+                        item => self.tx_pdo_1a00.item(item).map(sdo::Slot::U32),
+                    },
+                    10 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
+                        item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
+                    11 => match place.item {
+                        0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
+                        item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
+                    },
                     12 => self.sm_output_parameter.slot(place.item),
                     13 => self.sm_input_parameter.slot(place.item),
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
@@ -21344,46 +22384,6 @@ pub mod s700 {
                     1 => Some(sdo::Slot::U32(&mut self.product_code)),
                     2 => Some(sdo::Slot::U32(&mut self.revision_number)),
                     3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl RxPdo1600 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl TxPdo1a00 {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U32(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager2PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
-                    _ => None,
-                }
-            }
-        }
-
-        impl SyncManager3PdoAssignment {
-            fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-                match item {
-                    0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                    1 => Some(sdo::Slot::U16(&mut self.entry_1)),
                     _ => None,
                 }
             }
@@ -21561,7 +22561,7 @@ pub mod s700 {
                 ObjectCode::Record,
                 0,
                 8,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<31>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -21652,7 +22652,7 @@ pub mod s700 {
                 ObjectCode::Record,
                 0,
                 9,
-                &[entry(0, 0, DataType::UNSIGNED8, 8, RW), entry(1, 1, DataType::UNSIGNED32, 32, RW)],
+                &const { EntryInfo::counted::<33>(DataType::UNSIGNED32, 32, RO.and(PRE_OP)) },
                 0,
             )],
         };
@@ -21734,20 +22734,14 @@ pub mod s700 {
                     ObjectCode::Array,
                     0,
                     10,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(
                     ObjectCode::Array,
                     0,
                     11,
-                    &[
-                        entry(0, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                        entry(1, 1, DataType::UNSIGNED16, 16, RO.and(PRE_OP)),
-                    ],
+                    &const { EntryInfo::counted::<2>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
                     0,
                 ),
                 object(

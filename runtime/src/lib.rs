@@ -8,6 +8,7 @@
 //! | [`object`] | addresses, wire values, typed entries | CiA 301, object dictionary |
 //! | [`sdo`] | abort codes, access rights, the table that answers for an address | CiA 301, SDO; ETG.1000.6, CoE |
 //! | [`coe`] | the mailbox: its messages, and a device's answers | ETG.1000.4, mailbox; ETG.1000.6, CoE |
+//! | [`esm`] | the EtherCAT state machine of a device | ETG.1000.6, EtherCAT state machine |
 //! | [`pdo`] | what all process data structs have in common | CiA 301, PDO |
 //! | [`start_up`] | the writes that bring a device up | ETG.1020, start-up |
 //! | [`cia402`] | states, words, commands, transitions, modes | CiA 402, IEC 61800-7-201 |
@@ -23,6 +24,7 @@ pub mod cia402;
 pub mod coe;
 mod device;
 pub mod error;
+pub mod esm;
 pub mod object;
 pub mod pdo;
 pub mod sdo;

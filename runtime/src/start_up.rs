@@ -9,7 +9,7 @@ use crate::Device;
 use crate::object::Address;
 use crate::pdo::{Carries, Direction, MappedPdo, ProcessImage, Rx, Tx};
 
-/// A write through the mailbox: an SDO download in Pre-Operational.
+/// A write through the mailbox: an SDO download on the way to process data.
 ///
 /// ```
 /// use devc_runtime::object::Address;
@@ -25,14 +25,17 @@ pub struct Write {
     pub address: Address,
     /// What for.
     pub what: &'static str,
-    data: [u8; 4],
+    /// The change of the EtherCAT state at which it is made, by the names of its states: `"PS"` from Pre-Operational to
+    /// Safe-Operational.
+    pub transition: &'static str,
+    data: [u8; 8],
     length: usize,
 }
 
 impl Write {
-    /// A write of the first four bytes of the data, as they travel.
+    /// A write of the first eight bytes of the data, as they travel, from Pre-Operational to Safe-Operational.
     pub const fn new(address: Address, data: &[u8], what: &'static str) -> Self {
-        let mut write = Self { address, what, data: [0; 4], length: 0 };
+        let mut write = Self { address, what, transition: "PS", data: [0; 8], length: 0 };
         let (mut places, mut bytes): (&mut [u8], _) = (&mut write.data, data);
         while let (Some((place, others)), Some((byte, rest))) =
             (places.split_first_mut(), bytes.split_first())
@@ -42,6 +45,12 @@ impl Write {
             (places, bytes) = (others, rest);
         }
         write
+    }
+
+    /// The same at another change of the EtherCAT state.
+    pub const fn during(mut self, transition: &'static str) -> Self {
+        self.transition = transition;
+        self
     }
 
     /// The data, as it travels: little-endian.
@@ -177,7 +186,7 @@ impl StartUp {
 /// The count and the power of ten in seconds: the largest unit in which the time is a whole number.
 const fn period(ns: u64) -> (u8, i8) {
     let (mut count, mut exponent) = (ns, -9);
-    while count != 0 && count.is_multiple_of(10) && exponent < -3 {
+    while count != 0 && count.is_multiple_of(10) && (exponent < -3 || count > 255) {
         count /= 10;
         exponent += 1;
     }

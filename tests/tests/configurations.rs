@@ -47,3 +47,27 @@ fn what_the_mailbox_refuses_is_not_in_the_list() {
     let writes: Vec<_> = velocity.startup.iter().map(|w| (w.address.index.0, &w.data[..])).collect();
     assert_eq!(writes, [(0x6060, &[2][..]), (0x6860, &[2][..])]);
 }
+
+/// How many subindices the mapping object of a PDO has, and how many of them are in use.
+fn capacity(folder: &str, member: &str, index: u16) -> (usize, usize) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices").join(folder);
+    let family = devc::compile(&Disk, &folder).family.expect("it compiles");
+    let mut members = family.members.iter();
+    let device = members.find(|device| device.id == member).expect("there is this member");
+    let object = device.object(Index(index)).expect("each PDO has one");
+    let count = object.entry(0).and_then(|count| count.default.as_ref());
+    let used = count.and_then(devc::model::Value::integer);
+    (object.entries.len() - 1, used.expect("it is a number").try_into().expect("it is small"))
+}
+
+/// 24 elements of A225 and A233 (Pilz, 7.1.1 and 7.1.2); the S700's manual names the bytes only, 64, and the
+/// mapping of the C-887 is fixed.
+#[test]
+fn a_mapping_object_has_the_subindices_that_the_device_takes() {
+    assert_eq!(capacity("pmc-sc6", "double", 0x1600), (24, 8));
+    assert_eq!(capacity("pmc-sc6", "double", 0x1A01), (24, 10));
+    assert_eq!(capacity("s700", "s700", 0x1701), (2, 2));
+    let (free, used) = capacity("s700", "s700", 0x1600);
+    assert!(used == 1 && (16..=64).contains(&free), "{free} entries of at most 64 bytes");
+    assert_eq!(capacity("c887", "c887", 0x1600), (3, 3));
+}

@@ -1,6 +1,8 @@
 //! What rules ask of a device again and again.
 
-use crate::model::{Address, Device, Entry, Index, Mapped, Object, Pdo, Place, Value};
+use crate::model::{
+    Address, Configuration, Device, Entry, Index, Mapped, Object, Pdo, Place, Section, Value,
+};
 
 /// The objects that a description or a profile states; those that devc makes follow from what is judged
 /// elsewhere.
@@ -29,12 +31,27 @@ pub(super) fn is_shared(object: &Object, entry: &Entry, key: &str) -> bool {
     object.entries.len() > 1 && own.zip(all).is_some_and(|(own, all)| own.at == all.at)
 }
 
-/// What each PDO carries, with the address of its place in the mapping object.
-pub(super) fn mapped(device: &Device) -> impl Iterator<Item = (&Pdo, Address, &Mapped)> {
-    device.pdos.iter().flat_map(|pdo| {
-        let places = (1..=u8::MAX).map(|subindex| Address { index: pdo.index, subindex });
-        places.zip(&pdo.entries).map(move |(at, mapped)| (pdo, at, mapped))
-    })
+/// What each PDO carries by default, and as configurations map it, with the place of each.
+pub(super) fn mapped(device: &Device) -> impl Iterator<Item = (&Pdo, Place, &Mapped)> {
+    let by_default = device.pdos.iter().flat_map(|pdo| mapped_of(pdo, None));
+    let chosen = device.configurations.iter().flat_map(|configuration| {
+        configuration.mapping.iter().flat_map(move |pdo| mapped_of(pdo, Some(configuration)))
+    });
+    by_default.chain(chosen)
+}
+
+/// What a PDO carries, with its place: in the mapping object, or in the configuration that maps the PDO so.
+pub(super) fn mapped_of<'d>(
+    pdo: &'d Pdo,
+    configuration: Option<&'d Configuration>,
+) -> impl Iterator<Item = (&'d Pdo, Place, &'d Mapped)> {
+    let place = move |(subindex, item): (u8, usize)| match configuration {
+        Some(configuration) => {
+            Section::Configurations.at(&configuration.id).at(format!("mapping.{}.{item}", pdo.index))
+        }
+        None => Address { index: pdo.index, subindex }.into(),
+    };
+    (1..=u8::MAX).zip(0..).map(place).zip(&pdo.entries).map(move |(at, mapped)| (pdo, at, mapped))
 }
 
 /// Whether a number is greater than another.

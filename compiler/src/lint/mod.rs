@@ -2,6 +2,7 @@
 
 mod checked;
 mod errata;
+mod images;
 mod levels;
 mod lookup;
 mod report;

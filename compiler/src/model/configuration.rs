@@ -1,7 +1,7 @@
 //! Choices of process data and mode, with the start-up list that follows from them.
 
-use super::{Address, Duration, Index, Pdo, Source, model};
-use crate::source::Origin;
+use super::{Address, Direction, Duration, Index, Pdo, Source, Value, model};
+use crate::source::{Location, Origin};
 
 model! {
     /// What a master chooses before it goes to Safe-Operational.
@@ -23,6 +23,9 @@ model! {
         /// The cycle time.
         #[cfg_attr(feature = "json", serde(rename = "cycle_ns"))]
         pub cycle_time: Option<Duration>,
+        /// Other values that are written; they are among `startup`.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub writes: Vec<ChosenWrite>,
         /// The writes that bring it about, in order.
         pub startup: Vec<SdoWrite>,
         /// What else is to be said.
@@ -32,6 +35,17 @@ model! {
         /// Where it was written.
         #[cfg_attr(feature = "json", serde(rename = "provenance"))]
         pub origin: Origin,
+    }
+
+    /// A value that a configuration writes as it says itself.
+    pub struct ChosenWrite {
+        /// What it writes.
+        pub value: Value,
+        /// The same as it travels.
+        pub write: SdoWrite,
+        /// Where it was written.
+        #[cfg_attr(feature = "json", serde(skip))]
+        pub at: Location,
     }
 
     /// A write through the mailbox.
@@ -45,5 +59,15 @@ model! {
         pub data: Vec<u8>,
         /// What for.
         pub comment: String,
+    }
+}
+
+impl Configuration {
+    /// The PDOs to assign of a direction; untouched if none.
+    pub fn assigned(&self, direction: Direction) -> Option<&[Index]> {
+        match direction {
+            Direction::Rx => self.outputs.as_deref(),
+            Direction::Tx => self.inputs.as_deref(),
+        }
     }
 }

@@ -110,6 +110,19 @@ impl<'de> Deserialize<'de> for Fraction {
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Duration(pub u64);
 
+impl Duration {
+    /// The time as 0x60C2 holds it (CiA 402, interpolation time period): a count and the power of ten in seconds that it
+    /// counts, the largest up to a millisecond in which it is a whole number, or a larger one if the count needs it.
+    pub fn interpolation(self) -> Option<(u8, i8)> {
+        let (mut count, mut exponent) = (self.0, -9_i8);
+        while count != 0 && count.is_multiple_of(10) && (exponent < -3 || count > 255) {
+            count /= 10;
+            exponent += 1;
+        }
+        u8::try_from(count).ok().filter(|count| *count > 0).map(|count| (count, exponent))
+    }
+}
+
 impl<'de> Deserialize<'de> for Duration {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
@@ -209,7 +222,10 @@ impl std::fmt::Display for OneOrMore {
 
 impl std::fmt::Display for Duration {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} ns", self.0)
+        let units = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us")];
+        let whole = units.into_iter().find(|(factor, _)| self.0 != 0 && self.0.is_multiple_of(*factor));
+        let (factor, unit) = whole.unwrap_or((1, "ns"));
+        write!(f, "{} {unit}", self.0 / factor)
     }
 }
 

@@ -48,7 +48,7 @@ mod word;
 pub use axis::{Area, Arrangement, Axis, Shift};
 pub use citation::Source;
 pub use compare::{Compare, differences};
-pub use configuration::{Configuration, SdoWrite};
+pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
 pub use difference::{Difference, FieldPath};

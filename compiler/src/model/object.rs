@@ -1,7 +1,7 @@
 //! The object dictionary.
 
 use super::table::part;
-use super::{Address, DataType, Index, Meanings, Source, Value, model};
+use super::{Address, DataType, Direction, Index, Meanings, Source, Value, model};
 use crate::source::Origin;
 
 model! {
@@ -226,6 +226,16 @@ impl Access {
 }
 
 impl Mappable {
+    /// What can be mapped to PDOs of these directions.
+    pub fn of(rx: bool, tx: bool) -> Self {
+        match (rx, tx) {
+            (false, false) => Self::None,
+            (true, false) => Self::Rx,
+            (false, true) => Self::Tx,
+            (true, true) => Self::RxTx,
+        }
+    }
+
     /// Whether it can be in what the master sends.
     pub fn rx(self) -> bool {
         matches!(self, Self::Rx | Self::RxTx)
@@ -234,5 +244,13 @@ impl Mappable {
     /// Whether it can be in what the device sends.
     pub fn tx(self) -> bool {
         matches!(self, Self::Tx | Self::RxTx)
+    }
+
+    /// Whether it can be in PDOs of this direction.
+    pub fn goes(self, direction: Direction) -> bool {
+        match direction {
+            Direction::Rx => self.rx(),
+            Direction::Tx => self.tx(),
+        }
     }
 }

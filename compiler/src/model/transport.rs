@@ -1,7 +1,7 @@
 //! What carries data between master and device.
 
 use super::table::{part, table};
-use super::{Hex, Index, Source, model};
+use super::{Direction, Hex, Index, Source, model};
 use crate::source::Origin;
 
 model! {
@@ -183,6 +183,14 @@ impl Role {
             Self::MailboxIn => 0x22,
             Self::Outputs => 0x64,
             Self::Inputs => 0x20,
+        }
+    }
+
+    /// That of the process data of a direction.
+    pub fn of(direction: Direction) -> Self {
+        match direction {
+            Direction::Rx => Self::Outputs,
+            Direction::Tx => Self::Inputs,
         }
     }
 

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use serde::Deserialize;
+
 use super::{RawMapped, raw};
-use crate::model::Duration;
+use crate::model::{Duration, Literal};
 
 raw! {
     /// `[configurations.<id>]`: what a master chooses before it goes to Safe-Operational.
@@ -24,7 +26,26 @@ raw! {
         pub mode: Option<i16>,
         /// The cycle time to write to 0x60C2.
         pub cycle_time: Option<Duration>,
+        /// Other values to write.
+        #[serde(default)]
+        pub writes: Vec<RawWrite>,
         /// What else is to be said.
         pub about: Option<String>,
     }
+}
+
+/// A value to write before process data is exchanged: `{ entry = "DRVCFG3", value = 0x10000, why = "..." }`.
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub struct RawWrite {
+    /// Where to.
+    pub entry: String,
+    /// The value.
+    pub value: Literal,
+    /// The change of the EtherCAT state at which it is written: `"IP"`, `"PS"`, `"SO"`, `"OS"`, `"SP"` or `"OP"`; `"PS"` if
+    /// absent. What is written at `"IP"` comes before all else, the rest after it.
+    pub transition: Option<String>,
+    /// What for.
+    pub why: String,
 }

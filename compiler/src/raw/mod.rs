@@ -32,7 +32,7 @@ mod word;
 pub use axes::{RawAxes, RawShift};
 #[cfg(feature = "cli")]
 pub(crate) use compose::over_profile;
-pub use configuration::RawConfiguration;
+pub use configuration::{RawConfiguration, RawWrite};
 pub use coordinates::{RawAxisGroup, RawCoordinates, RawGroup};
 pub use device::RawDevice;
 pub use fact::{RawAssumed, RawFacts, RawSource};

@@ -88,7 +88,8 @@ pub struct RawEntry {
     pub r#type: Option<String>,
     /// `"ro"`, `"wo"`, `"rw"` or `"const"`.
     pub access: Option<Access>,
-    /// The process data it can be mapped to: `"rx"`, `"tx"`, `"rx-tx"` or `"none"`.
+    /// The process data it can be mapped to: `"rx"`, `"tx"`, `"rx-tx"` or `"none"`. Where the description does not say it
+    /// and no mapping can be changed, it is what the PDOs carry.
     pub pdo: Option<Mappable>,
     /// Whether the profile demands it: `"mandatory"`, `"optional"` or `"conditional"`.
     pub category: Option<Category>,

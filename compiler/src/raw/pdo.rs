@@ -31,7 +31,8 @@ raw! {
         pub total: Option<u16>,
         /// The largest number of bytes it can be mapped to, for a free mapping.
         pub max_bytes: Option<u16>,
-        /// The largest number of entries it can be mapped to, for a free mapping.
+        /// The largest number of entries it can be mapped to, for a free mapping: the subindices of its mapping object.
+        /// If absent, everything that can be mapped once, as far as `max-bytes` go.
         pub max_entries: Option<u8>,
         /// The sync unit it belongs to: PDOs of different ones are exchanged apart from each other.
         pub sync_unit: Option<String>,
@@ -41,11 +42,11 @@ raw! {
 }
 
 /// An entry of a PDO: a reference such as `"controlword"` or `"0x6040:00"`, or a table.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "schema", schemars(transform = crate::model::schema::or_text))]
 pub struct RawMapped {
-    /// The object or entry; none for padding.
+    /// The object or entry, or a range of entries such as `"0x2003:01..=08"`; none for padding.
     pub entry: Option<String>,
     /// The width that the manual gives, needed for what is not in the dictionary and for padding.
     pub bits: Option<u16>,

@@ -2,9 +2,10 @@
 
 use super::context::Context;
 use super::derived::Basis;
-use super::{pdos, startup};
-use crate::model::{Configuration, Index, Object, Pdo};
-use crate::raw::{RawConfiguration, RawMapped};
+use super::{mapped, objects, pdos, startup, values};
+use crate::diagnostic::faults;
+use crate::model::{ChosenWrite, Configuration, Direction, Index, Object, Pdo, SdoWrite, Value};
+use crate::raw::{RawConfiguration, RawMapped, RawWrite};
 use crate::source::Origin;
 
 /// The choices with their start-up lists, in the order in which they were written.
@@ -32,12 +33,14 @@ fn configuration(
         mapping,
         mode,
         cycle_time,
+        writes,
         about,
         source,
         origin,
     } = raw;
-    let outputs = assigned(context, &origin, "outputs", outputs.as_deref(), basis.pdos);
-    let inputs = assigned(context, &origin, "inputs", inputs.as_deref(), basis.pdos);
+    let writes = self::writes(context, &writes, &origin, objects);
+    let outputs = assigned(context, &origin, Direction::Rx, outputs.as_deref(), basis.pdos);
+    let inputs = assigned(context, &origin, Direction::Tx, inputs.as_deref(), basis.pdos);
     let mut mapped = Vec::new();
     for (key, entries) in &mapping {
         mapped.extend(remapped(context, &origin, key, entries, basis.pdos, objects));
@@ -51,6 +54,7 @@ fn configuration(
         mapping: mapped,
         mode,
         cycle_time,
+        writes,
         startup: Vec::new(),
         about,
         source,
@@ -61,19 +65,69 @@ fn configuration(
     configuration
 }
 
+/// Other values to write, each with the type of its entry.
+fn writes(
+    context: &mut Context<'_>,
+    raw: &[RawWrite],
+    origin: &Origin,
+    objects: &[Object],
+) -> Vec<ChosenWrite> {
+    let known = TRANSITIONS.map(str::to_owned);
+    let mut writes = Vec::new();
+    for (i, RawWrite { entry, value, transition, why }) in raw.iter().enumerate() {
+        let at = |key: &str| format!("writes.{i}.{key}");
+        if let Some(transition) = transition {
+            context.bind(transition, &known, "transition with a mailbox", origin.value(&at("transition")));
+        }
+        let Some(address) = context.address(entry, origin.value(&at("entry"))) else { continue };
+        let Some(object) = objects::at(objects, address.index) else { continue };
+        let Some(found) = object.entry(address.subindex) else {
+            context.no_entry(object, address, origin.value(&at("entry")));
+            continue;
+        };
+        let data_type = found.data_type;
+        let Some(value) = values::value(context, value, data_type, &at("value"), origin) else { continue };
+        let data = match &value {
+            Value::Text(text) => text.as_bytes().to_vec(),
+            number => number.little_endian(data_type),
+        };
+        if data.len() > LONGEST {
+            let message = format!("{} bytes are too many for a start-up list", data.len());
+            let at = origin.value(&at("value"));
+            context.fault(&faults::UNFIT_VALUE, message, at, &format!("up to {LONGEST} bytes"));
+        }
+        let transition = transition.clone().unwrap_or_else(|| "PS".to_owned());
+        let write = SdoWrite { transition, address, data, comment: why.clone() };
+        writes.push(ChosenWrite { value, write, at: origin.value(&format!("writes.{i}")) });
+    }
+    writes
+}
+
+/// Bytes of the longest number, and of what a generated list holds of a text.
+const LONGEST: usize = 8;
+
+/// The changes of the EtherCAT state at which there is a mailbox, ETG.1000.6.
+const TRANSITIONS: [&str; 6] = ["IP", "PS", "SO", "OS", "SP", "OP"];
+
 /// The PDOs to assign, axis after axis.
 fn assigned(
     context: &mut Context<'_>,
     origin: &Origin,
-    path: &str,
+    way: Direction,
     list: Option<&[String]>,
     pdos: &[Pdo],
 ) -> Option<Vec<Index>> {
+    let path = match way {
+        Direction::Rx => "outputs",
+        Direction::Tx => "inputs",
+    };
     let mut assigned = Vec::new();
     for (i, text) in list?.iter().enumerate() {
-        let named = pdos::named(pdos, text);
+        let mut named = pdos::named(pdos, text);
+        let label = if named.is_empty() { "not described" } else { "not a PDO of this direction" };
+        named.retain(|pdo| pdo.direction == way);
         if named.is_empty() {
-            context.no_pdo(text, origin.value(&format!("{path}.{i}")), "not described");
+            context.no_pdo(text, origin.value(&format!("{path}.{i}")), label);
         }
         assigned.extend(named);
     }
@@ -96,7 +150,7 @@ fn remapped(
         context.no_pdo(key, origin.value(&path), "not described");
     }
     let remapped = named.into_iter().map(|pdo| {
-        let entries = pdos::mapped(context, entries, origin, &path, pdo.axis, objects);
+        let entries = mapped::mapped(context, entries, origin, &path, pdo.axis, objects);
         Pdo { entries, total: None, about: None, ..pdo.clone() }
     });
     remapped.collect()

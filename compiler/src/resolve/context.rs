@@ -1,10 +1,19 @@
 //! What every part of the resolver needs at hand.
 
-use super::names::{self, Names};
+use super::names::{self, Names, Unknown};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
 use crate::model::{Address, Axis, Index, Object, Shift};
 use crate::source::{Location, Origin};
-use crate::text::near::{list, near};
+use crate::text::near::{list, meant};
+
+/// How many entries a message names.
+const MOST_NAMED: usize = 6;
+
+/// Says that there is a name which is like the one that is not there. Only a slip is mended without asking.
+fn there_is(fault: Diagnostic, name: &str, is_plain: bool, at: Location) -> Diagnostic {
+    let (text, edit) = (format!("there is `{name}`"), format!("\"{name}\""));
+    if is_plain { fault.fix(text, at, edit) } else { fault.suggest(text, at, edit) }
+}
 
 /// The state of resolving one device.
 pub(super) struct Context<'a> {
@@ -30,22 +39,44 @@ impl Context<'_> {
     /// Binds a reference to an object or an entry, or reports that there is none.
     pub(super) fn address(&mut self, text: &str, at: Location) -> Option<Address> {
         match self.names.find(text) {
-            Some(address) => Some(address),
-            None => {
-                let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
-                let near = has_room.then(|| self.names.near(text)).flatten();
-                let message = format!("there is no object `{text}`");
-                let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
-                self.diagnostics.push(match (near, names::index(text.split(':').next().unwrap_or(text))) {
-                    (Some(near), _) => fault.fix(format!("there is `{near}`"), at, format!("\"{near}\"")),
-                    (None, Some(index)) => fault
-                        .note("an object of a profile is there once it is mentioned")
-                        .help(format!("add `[objects.{index}]` with what the profile does not say")),
-                    (None, None) => fault,
-                });
+            Ok(address) => Some(address),
+            Err(unknown) => {
+                self.unknown(text, &unknown, at);
                 None
             }
         }
+    }
+
+    /// Reports a reference to no object and no entry.
+    fn unknown(&mut self, text: &str, unknown: &Unknown, at: Location) {
+        let object = text.split(':').next().unwrap_or(text);
+        let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
+        let near = has_room.then(|| self.names.near(object)).flatten();
+        let message = format!("there is no object `{text}`");
+        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
+        self.diagnostics.push(match (unknown, near, names::index(object)) {
+            (Unknown::Several(entries), ..) => {
+                let entries: Vec<String> = entries.iter().map(Address::to_string).collect();
+                fault.note(format!("it is an entry of several objects: {}", entries.join(", ")))
+            }
+            (Unknown::Nothing, Some((name, is_plain)), _) => there_is(fault, &name, is_plain, at),
+            (Unknown::Nothing, None, Some(index)) => fault
+                .note("an object of a profile is there once it is mentioned")
+                .help(format!("add `[objects.{index}]` with what the profile does not say")),
+            (Unknown::Nothing, None, None) => fault,
+        });
+    }
+
+    /// Reports that a PDO maps an object of several entries, and does not say which.
+    pub(super) fn several_entries(&mut self, text: &str, object: &Object, at: Location) {
+        let message = format!("`{text}` has several entries, and one can be mapped at a time");
+        let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "which of them is not said");
+        let entries = object.entries.iter().skip(1).take(MOST_NAMED);
+        let entries = entries.map(|entry| format!("`{}` {}", entry.address, entry.name));
+        let more = if object.entries.len() > MOST_NAMED + 1 { ", ..." } else { "" };
+        let entries = format!("it has {}{more}", entries.collect::<Vec<_>>().join(", "));
+        let fault = fault.label(object.origin.header(), "this object").note(entries);
+        self.diagnostics.push(fault.help(format!("write a subindex behind it, such as `{text}:01`")));
     }
 
     /// Reports that there is no PDO of this index.
@@ -82,8 +113,8 @@ impl Context<'_> {
         let message = format!("there is no {what} `{text}`");
         let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
         let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
-        fault = match has_room.then(|| near(text, known.iter().map(String::as_str))).flatten() {
-            Some(near) => fault.fix(format!("there is `{near}`"), at, format!("\"{near}\"")),
+        fault = match has_room.then(|| meant(text, known.iter().map(String::as_str))).flatten() {
+            Some((near, is_plain)) => there_is(fault, near, is_plain, at),
             None if known.is_empty() => fault.note(format!("the description has no {what}")),
             None => {
                 let known: Vec<&str> = known.iter().map(String::as_str).collect();

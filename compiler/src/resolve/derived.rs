@@ -2,10 +2,10 @@
 
 use super::entries::plain;
 use super::objects::Described;
-use super::{overlay, startup};
+use super::{capacity, overlay, startup};
 use crate::model::{
-    Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Object, Pdo, SyncManager,
-    Value,
+    Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Mapped, Object, Pdo, Role,
+    SyncManager, Value, WriteWindow,
 };
 use crate::source::Origin;
 
@@ -24,7 +24,8 @@ pub(super) fn dictionary(
     basis: &Basis<'_>,
 ) -> Vec<Object> {
     let Described { mut objects, overlays } = described;
-    objects.extend(basis.pdos.iter().map(|pdo| mapping(pdo, basis)));
+    let mappings: Vec<Object> = basis.pdos.iter().map(|pdo| mapping(pdo, &objects, basis)).collect();
+    objects.extend(mappings);
     if !basis.sync_managers.is_empty() {
         objects.push(types(basis));
         objects.extend(basis.sync_managers.iter().filter_map(|manager| assignment(manager, basis)));
@@ -63,7 +64,8 @@ fn object(index: Index, id: String, name: String, entries: Vec<Entry>, origin: &
     }
 }
 
-/// Subindex 0 with the number of entries in use, and the entries.
+/// Subindex 0 with the number of entries in use, and the entries. What process data is made of can be written in
+/// Pre-Operational only, ETG.1020.
 fn entries(
     index: Index,
     data_type: DataType,
@@ -74,23 +76,35 @@ fn entries(
 ) -> Vec<Entry> {
     let mut count = super::entries::count(index, 0, origin);
     count.default = Some(Value::Integer(i64::try_from(used).unwrap_or(i64::MAX)));
-    count.access = access;
+    let lets = |entry: &mut Entry| {
+        entry.access = access;
+        entry.written = Some(WriteWindow::PreOp).filter(|_| access.writable());
+    };
+    lets(&mut count);
     let numbered = (1..=u8::MAX).zip(values);
     let values = numbered.map(|(subindex, (name, value))| {
         let mut entry = plain(Address { index, subindex }, &name, data_type, origin);
         entry.id = format!("entry-{subindex}");
         entry.default = Some(Value::Integer(value.into()));
-        entry.access = access;
+        lets(&mut entry);
         entry
     });
     std::iter::once(count).chain(values).collect()
 }
 
-/// The mapping object of a PDO.
-fn mapping(pdo: &Pdo, basis: &Basis<'_>) -> Object {
+/// The mapping object of a PDO. What lies behind a subindex of a free mapping changes, so that it has a number for a name.
+fn mapping(pdo: &Pdo, objects: &[Object], basis: &Basis<'_>) -> Object {
     let free = !pdo.fixed && basis.mailbox.is_some_and(|mailbox| mailbox.pdo_config);
     let access = if free { Access::Rw } else { Access::Ro };
-    let values = pdo.entries.iter().map(|entry| (entry.name.clone(), startup::word(entry)));
+    let name = |place, entry: Option<&Mapped>| match entry.filter(|_| pdo.fixed) {
+        Some(entry) => entry.name.clone(),
+        None => numbered(place),
+    };
+    let places = 1..=capacity::entries(pdo, objects, carried(pdo.direction, basis));
+    let values = places.map(|place| {
+        let entry = pdo.entries.get(place - 1);
+        (name(place, entry), entry.map_or(0, startup::word))
+    });
     let entries = entries(pdo.index, DataType::Uint(32), pdo.entries.len(), values, access, &pdo.origin);
     let kind = match pdo.direction {
         Direction::Rx => "rx",
@@ -103,6 +117,17 @@ fn mapping(pdo: &Pdo, basis: &Basis<'_>) -> Object {
     object.leading = pdo.leading;
     object.source = pdo.source.clone();
     object
+}
+
+/// The longest that a sync manager carries of a direction.
+fn carried(direction: Direction, basis: &Basis<'_>) -> Option<u16> {
+    let role = Role::of(direction);
+    basis.sync_managers.iter().find(|manager| manager.role == role)?.max_size
+}
+
+/// The name of a subindex whose value names something else from time to time.
+fn numbered(subindex: usize) -> String {
+    format!("SubIndex {subindex:03}")
 }
 
 /// 0x1C00: what each sync manager is for, as ETG.1000.6 numbers it.
@@ -129,7 +154,7 @@ fn assignment(manager: &SyncManager, basis: &Basis<'_>) -> Option<Object> {
     let access = if free { Access::Rw } else { Access::Ro };
     let slots = usize::from(manager.slots).max(manager.pdos.len());
     let assigned = manager.pdos.iter().map(|index| u32::from(index.0)).chain(std::iter::repeat(0));
-    let values = (1..=slots).zip(assigned).map(|(slot, value)| (format!("SubIndex {slot:03}"), value));
+    let values = (1..=slots).zip(assigned).map(|(slot, value)| (numbered(slot), value));
     let used = manager.pdos.len();
     let entries = entries(index, DataType::Uint(16), used, values, access, &manager.origin);
     let id = format!("sync-manager-{number}-pdo-assignment");

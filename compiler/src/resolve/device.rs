@@ -5,8 +5,8 @@ use super::derived::{self, Basis};
 use super::kept::{self, sorted};
 use super::names::Names;
 use super::{
-    axes, closed, configurations, coordinates, front, modes, objects, pdos, restated, sync_managers, units,
-    words,
+    axes, closed, configurations, coordinates, front, mappability, modes, objects, pdos, restated,
+    sync_managers, units, words,
 };
 use crate::diagnostic::Diagnostics;
 use crate::model::{
@@ -24,6 +24,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     restated::fill(&mut described.objects, &head, &identity, raw.axes.as_ref());
     let mut pdos = pdos::pdos(context, &raw.rx_pdos, Direction::Rx, &described.objects);
     pdos.extend(pdos::pdos(context, &raw.tx_pdos, Direction::Tx, &described.objects));
+    mappability::settle(&mut described.objects, &pdos);
     let raw_pdos: Vec<_> = raw.rx_pdos.iter().chain(&raw.tx_pdos).collect();
     let sync_managers = sync_managers::sync_managers(context, raw.sync_managers, &raw_pdos, &pdos);
     let basis = Basis {

@@ -59,8 +59,7 @@ fn report_braces(context: &mut Context<'_>, raw: &RawEntries) {
 fn name(raw: &RawEntries, subindex: u8) -> String {
     let many = raw.many;
     match &raw.value.name {
-        Some(name) if many && name.contains('{') => numbered::of(name, subindex),
-        Some(name) if many => format!("{name} {subindex}"),
+        Some(name) if many => numbered::name(name, subindex),
         Some(name) => name.clone(),
         None if subindex == 0 => COUNT.to_owned(),
         None => format!("Subindex {subindex:03}"),

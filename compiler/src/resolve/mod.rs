@@ -4,6 +4,7 @@
 //! cannot hold is reported here.
 
 mod axes;
+mod capacity;
 mod closed;
 mod configurations;
 mod context;
@@ -14,6 +15,8 @@ mod entries;
 mod extent;
 mod front;
 mod kept;
+mod mappability;
+mod mapped;
 mod modes;
 mod names;
 mod numbered;

@@ -7,12 +7,14 @@ use crate::model::ids;
 use crate::model::{Address, Coordinates, Index};
 use crate::raw::{RawDevice, RawObject};
 use crate::source::keys;
-use crate::text::near::near;
+use crate::text::near::meant;
 
 /// All objects that can be referred to, by id and by index, as they are on the first axis.
 #[derive(Default)]
 pub(super) struct Names {
     by_id: BTreeMap<String, Index>,
+    /// Entries of objects that have several, by their own ids.
+    by_entry: BTreeMap<String, Vec<Address>>,
     by_parameter: BTreeMap<String, Address>,
     known: Vec<Index>,
     coordinates: Option<Coordinates>,
@@ -26,6 +28,9 @@ impl Names {
             let index = object.index;
             names.by_id.entry(object_id(object)).or_insert(index);
             names.by_parameter.extend(parameters(object));
+            for (id, address) in entries(object) {
+                names.by_entry.entry(id).or_default().push(address);
+            }
             names.known.push(index);
         }
         for pdo in raw.rx_pdos.iter().chain(&raw.tx_pdos) {
@@ -51,25 +56,62 @@ impl Names {
         self.coordinate(text).filter(|address| self.known.binary_search(&address.index).is_ok())
     }
 
-    /// What `"controlword"`, `"0x6040"`, `"0x5010:03"` or `"software-position-limit:1"` refers to.
-    pub(super) fn find(&self, text: &str) -> Option<Address> {
+    /// What `"controlword"`, `"0x6040"`, `"0x5010:03"` or `"software-position-limit:1"` refers to; an entry by its own id,
+    /// `"max-position-limit"`, if no other has it.
+    pub(super) fn find(&self, text: &str) -> Result<Address, Unknown> {
         if let Some(address) = self.by_parameter.get(text).copied().or_else(|| self.lying(text)) {
-            return Some(address);
+            return Ok(address);
         }
         let (object, subindex) = text.split_once(':').map_or((text, "0"), |(object, sub)| (object, sub));
-        let index = match index(object) {
-            Some(index) => Some(index).filter(|index| self.known.binary_search(index).is_ok()),
-            None => self.by_id.get(object).copied(),
-        };
-        let subindex = self::subindex(subindex);
-        index.zip(subindex).map(|(index, subindex)| Address { index, subindex })
+        if let Some((index, subindex)) = self.object(object).zip(self::subindex(subindex)) {
+            return Ok(Address { index, subindex });
+        }
+        match self.by_entry.get(text).map(Vec::as_slice) {
+            Some([only]) => Ok(*only),
+            Some(several) => Err(Unknown::Several(several.to_vec())),
+            None => Err(Unknown::Nothing),
+        }
     }
 
-    /// The word for an object that is most like one that refers to nothing.
-    pub(super) fn near(&self, text: &str) -> Option<String> {
-        let object = text.split(':').next().unwrap_or(text);
-        near(object, self.by_id.keys().map(String::as_str)).map(str::to_owned)
+    /// The object that a reference names as a whole, and not one of its entries.
+    pub(super) fn whole(&self, text: &str) -> Option<Index> {
+        let is_entry = self.by_parameter.contains_key(text) || self.lying(text).is_some();
+        self.object(text).filter(|_| !is_entry)
     }
+
+    fn object(&self, text: &str) -> Option<Index> {
+        match index(text) {
+            Some(index) => Some(index).filter(|index| self.known.binary_search(index).is_ok()),
+            None => self.by_id.get(text).copied(),
+        }
+    }
+
+    /// The name of an object or an entry that is most like one that refers to nothing, and whether it is plain that it was
+    /// meant.
+    pub(super) fn near(&self, object: &str) -> Option<(String, bool)> {
+        let names = self.by_id.keys().chain(self.by_entry.keys());
+        meant(object, names.map(String::as_str)).map(|(name, is_plain)| (name.to_owned(), is_plain))
+    }
+}
+
+/// Why a reference names nothing.
+pub(super) enum Unknown {
+    /// Several entries have this id.
+    Several(Vec<Address>),
+    Nothing,
+}
+
+/// The ids of an object's entries, but for their number.
+fn entries(object: &RawObject) -> impl Iterator<Item = (String, Address)> {
+    let index = object.index;
+    let named = object.entries.iter().filter_map(|entries| Some((entries, entries.value.name.as_ref()?)));
+    named.flat_map(move |(entries, name)| {
+        let (first, last) = entries.range;
+        (first.max(1)..=last).map(move |subindex| {
+            let name = if entries.many { numbered::name(name, subindex) } else { name.to_owned() };
+            (ids::id(&name), Address { index, subindex })
+        })
+    })
 }
 
 /// The parameters behind an object and its entries.

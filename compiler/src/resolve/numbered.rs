@@ -26,6 +26,11 @@ pub(super) fn of(text: &str, subindex: u8) -> String {
     numbered(text, subindex).unwrap_or_else(|| text.to_owned())
 }
 
+/// The name of one of several entries: numbered by its braces, or behind it.
+pub(super) fn name(name: &str, subindex: u8) -> String {
+    if name.contains('{') { of(name, subindex) } else { format!("{name} {subindex}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::numbered;

@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::entries::{Known, entry};
 use crate::diagnostic::{Diagnostic, faults};
-use crate::model::{Entry, Object};
+use crate::model::{Entry, Object, WriteWindow};
 use crate::raw::{RawEntries, RawEntry, RawObject, RawObjectHead};
 use crate::source::Location;
 
@@ -49,9 +49,15 @@ const FROM: &str = "it follows from `[rx-pdos]`, `[tx-pdos]` and `[sync-managers
 
 /// What holds for subindex 0, too, if it is said of the whole object.
 fn count(entry: &mut Entry, shared: &RawEntry) {
+    entry.written = written(entry, shared);
     entry.access = shared.access.unwrap_or(entry.access);
-    entry.written = shared.written.or(entry.written);
     entry.functional = shared.functional.unwrap_or(entry.functional);
+}
+
+/// When an entry is written: as is said, or as it was made if it still can be written.
+fn written(made: &Entry, said: &RawEntry) -> Option<WriteWindow> {
+    let access = said.access.unwrap_or(made.access);
+    said.written.or(made.written.filter(|_| access.writable()))
 }
 
 /// What is said of some entries.
@@ -89,7 +95,7 @@ fn own(context: &mut Context<'_>, made: &mut Entry, raw: &RawEntries) {
         category: raw.value.category.unwrap_or(made.category),
         about: said.about.or(made.about.take()),
         note: said.note.or(made.note.take()),
-        written: said.written.or(made.written),
+        written: written(made, &raw.value),
         source: raw.source.clone(),
         ..said
     };

@@ -4,15 +4,11 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use super::context::Context;
-use super::{names, objects};
+use super::{mapped, names};
 use crate::diagnostic::{Diagnostic, faults};
-use crate::model::ids::{self, Siblings};
-use crate::model::{Address, Direction, Index, Mapped, Object, Pdo, Repeated};
-use crate::raw::{RawMapped, RawPdo};
-use crate::source::{Location, Origin};
-
-/// What a sync manager can carry: its length is a number of bytes in 16 bits.
-const MAX_BITS: u32 = u16::MAX as u32 * 8;
+use crate::model::{Direction, Index, Object, Pdo, Repeated};
+use crate::raw::RawPdo;
+use crate::source::Origin;
 
 /// What a mapping object, or an assignment, has room for: subindices 1 to 254, since 0 is their number and CiA 301 keeps
 /// 255 for itself.
@@ -142,7 +138,7 @@ fn pdo(
         direction,
         name: name.clone(),
         axis,
-        entries: mapped(context, entries, origin, "entries", axis, objects),
+        entries: mapped::mapped(context, entries, origin, "entries", axis, objects),
         fixed: fixed.unwrap_or(true),
         mandatory: *mandatory,
         excludes: self::excludes(context, excludes, origin, distance, described),
@@ -181,100 +177,4 @@ fn excludes(
     }
     excludes.sort();
     excludes
-}
-
-/// What is mapped, each entry behind the one before.
-pub(super) fn mapped(
-    context: &mut Context<'_>,
-    raw: &[RawMapped],
-    origin: &Origin,
-    path: &str,
-    axis: Option<u8>,
-    objects: &[Object],
-) -> Vec<Mapped> {
-    let mut offset = 0;
-    let mut ids = Siblings::default();
-    let mut entries = Vec::new();
-    for (i, entry) in raw.iter().enumerate() {
-        let at = origin.value(&format!("{path}.{i}"));
-        if i == MOST {
-            let message = format!("{} entries do not fit a PDO", raw.len());
-            context.fault(&faults::UNFIT_VALUE, message, at, &format!("a mapping object holds {MOST}"));
-            break;
-        }
-        if let Some(found) = one(context, entry, at, axis, objects) {
-            let mapped = Mapped { offset, id: ids.claim(&found.id), ..found };
-            offset += mapped.bits;
-            entries.push(mapped);
-            if offset > MAX_BITS {
-                let message = format!("{} bits and more do not fit a PDO", offset);
-                context.fault(&faults::UNFIT_VALUE, message, at, "too much with what stands before");
-                break;
-            }
-        }
-    }
-    entries
-}
-
-fn one(
-    context: &mut Context<'_>,
-    raw: &RawMapped,
-    at: Location,
-    axis: Option<u8>,
-    objects: &[Object],
-) -> Option<Mapped> {
-    let padding = Mapped {
-        address: None,
-        name: raw.name.clone().unwrap_or_else(|| "Padding".to_owned()),
-        id: "padding".to_owned(),
-        offset: 0,
-        bits: raw.bits.unwrap_or(0).into(),
-        data_type: None,
-        at,
-    };
-    let Some(text) = &raw.entry else { return Some(padding) };
-    let address = context.names.find(text).map(|address| context.on_axis(address, axis));
-    let entry = address.and_then(|address| find(objects, address));
-    match (entry, absent(context, text, axis), raw.bits) {
-        (Some((object, entry)), ..) => {
-            let single = object.entries.len() == 1;
-            let name = if single { &object.name } else { &entry.name };
-            let id = if single { object.id.clone() } else { format!("{}-{}", object.id, entry.id) };
-            Some(Mapped {
-                address,
-                name: raw.name.clone().unwrap_or_else(|| name.clone()),
-                id,
-                bits: raw.bits.map_or(entry.data_type.bits(), u32::from),
-                data_type: Some(entry.data_type),
-                ..padding
-            })
-        }
-        (None, Some(address), Some(_)) => {
-            let name = raw.name.clone().unwrap_or_else(|| address.to_string());
-            Some(Mapped { address: Some(address), id: ids::id(&name), name, ..padding })
-        }
-        _ => {
-            // Once is enough: what is not there on the first axis is not there on the others.
-            if let Some(address) = context.address(text, at)
-                && axis.is_none_or(|axis| axis == 0)
-                && let Some(object) = objects::at(objects, address.index)
-            {
-                context.no_entry(object, address, at);
-            }
-            None
-        }
-    }
-}
-
-fn find(objects: &[Object], address: Address) -> Option<(&Object, &crate::model::Entry)> {
-    let object = objects::at(objects, address.index)?;
-    object.entry(address.subindex).map(|entry| (object, entry))
-}
-
-/// The address of something that a manual maps although its dictionary does not have it.
-fn absent(context: &Context<'_>, text: &str, axis: Option<u8>) -> Option<Address> {
-    let (index, subindex) = text.split_once(':').unwrap_or((text, "0"));
-    let index = names::index(index)?;
-    let subindex = names::subindex(subindex)?;
-    Some(context.on_axis(Address { index, subindex }, axis))
 }

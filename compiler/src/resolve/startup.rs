@@ -1,12 +1,14 @@
 //! The writes through the mailbox that bring a configuration about.
 //!
 //! The order is the one that ETG.1020 asks for: assignments are cleared before mappings change, and a count
-//! is written after what it counts. What the mailbox does not let a master write is not in it.
+//! is written after what it counts. What the mailbox does not let a master write is not in it. Other values come in
+//! front if they are written on the way to Pre-Operational, else behind.
 
 use super::context::Context;
 use super::objects;
 use crate::model::{
-    Address, Configuration, Direction, Index, Mailbox, Mapped, Object, Pdo, Role, SdoWrite, SyncManager,
+    Address, Configuration, Direction, Duration, Index, Mailbox, Mapped, Object, Pdo, Role, SdoWrite,
+    SyncManager,
 };
 
 /// The start-up list of a configuration, in order.
@@ -35,7 +37,11 @@ pub(super) fn startup(
         writes.extend(mode(configuration, on_axis(context, objects, "0x6060", axis.number)));
         writes.extend(cycle(configuration, on_axis(context, objects, "0x60C2", axis.number)));
     }
-    writes
+    let chosen = |is_first: bool| {
+        let chosen = configuration.writes.iter().map(|chosen| chosen.write.clone());
+        chosen.filter(move |write| (write.transition == "IP") == is_first)
+    };
+    chosen(true).chain(writes).chain(chosen(false)).collect()
 }
 
 /// The chosen PDOs of a direction by the assignment object of their sync manager: the one that carries them by default,
@@ -58,7 +64,7 @@ fn by_manager(role: Role, chosen: Option<&[Index]>, managers: &[SyncManager]) ->
 
 /// Where an object lies on an axis, if it does anything there.
 fn on_axis(context: &Context<'_>, objects: &[Object], text: &str, axis: u8) -> Option<Index> {
-    let address = context.names.find(text)?;
+    let address = context.names.find(text).ok()?;
     let index = context.on_axis(address, Some(axis)).index;
     objects::at(objects, index).filter(|object| object.functional).map(|object| object.index)
 }
@@ -110,19 +116,9 @@ fn mode(configuration: &Configuration, index: Option<Index>) -> Option<SdoWrite>
     Some(write(index?, 0, mode.to_le_bytes().to_vec(), "mode of operation".to_owned()))
 }
 
-/// 0x60C2 counts in powers of ten of a second: the largest unit in which the time is a whole number.
 fn cycle(configuration: &Configuration, index: Option<Index>) -> Vec<SdoWrite> {
-    let (Some(ns), Some(index)) = (configuration.cycle_time.map(|time| time.0).filter(|ns| *ns > 0), index)
-    else {
-        return Vec::new();
-    };
-    let mut count = ns;
-    let mut exponent = -9_i8;
-    while count.is_multiple_of(10) && exponent < -3 {
-        count /= 10;
-        exponent += 1;
-    }
-    let Ok(count) = u8::try_from(count) else { return Vec::new() };
+    let time = configuration.cycle_time.and_then(Duration::interpolation);
+    let (Some((count, exponent)), Some(index)) = (time, index) else { return Vec::new() };
     vec![
         write(index, 1, vec![count], "interpolation time period".to_owned()),
         write(index, 2, exponent.to_le_bytes().to_vec(), "its power of ten in seconds".to_owned()),

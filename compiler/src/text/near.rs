@@ -12,6 +12,19 @@ pub(crate) fn near<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Opt
     alike(wrong, names).min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
 
+/// The name that is most like `wrong`, and whether it is plain that it was meant: only upper and lower case differ, or one
+/// letter of a long word, and no other name is as like. A word of few letters or another number is another word.
+pub(crate) fn meant<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Option<(&'n str, bool)> {
+    let mut alike: Vec<(usize, &str)> = alike(wrong, names).collect();
+    alike.sort_by_key(|(distance, _)| *distance);
+    let (distance, name) = *alike.first()?;
+    let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
+    let is_alone = alike.get(1).is_none_or(|(other, _)| *other > distance.max(1));
+    let is_slip =
+        distance == 0 || distance == 1 && name.chars().count() >= 6 && digits(wrong) == digits(name);
+    Some((name, is_slip && is_alone))
+}
+
 /// The names that are like `wrong`, the most alike first.
 #[cfg(feature = "cli")]
 pub(crate) fn nearest<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Vec<&'n str> {
@@ -103,5 +116,19 @@ mod tests {
         assert_eq!(list(&["a"]), "`a`");
         assert_eq!(list(&["a", "b", "c"]), "`a`, `b` and `c`");
         assert!(list(&["x"; 100]).ends_with("`x`, `x` and 40 more"));
+    }
+
+    #[test]
+    fn a_slip_is_plain_and_another_word_is_not() {
+        let names = ["controlword", "statusword", "digital-inputs", "digital-outputs", "value-1", "rpm"];
+        let meant = |wrong| meant(wrong, names.into_iter());
+        for (wrong, name) in [("contrlword", "controlword"), ("Statusword", "statusword"), ("stauts", "")] {
+            let found = meant(wrong);
+            assert_eq!(found, (!name.is_empty()).then_some((name, true)), "{wrong}");
+        }
+        // two letters, another number, a short word
+        assert_eq!(meant("cntrlword"), Some(("controlword", false)));
+        assert_eq!(meant("value-2"), Some(("value-1", false)));
+        assert_eq!(meant("rps"), Some(("rpm", false)));
     }
 }

@@ -9,8 +9,10 @@
 //! | SDO information | [`Information`] | [`Information`] with [`ObjectDescription`] and [`EntryDescription`] |
 //! | emergency | | [`Emergency`] |
 //!
-//! [`Mailbox`] answers for a device, over its [`sdo::Server`](crate::sdo::Server).
+//! [`Mailbox`] answers for a device, over its [`sdo::Server`](crate::sdo::Server). [`Upload`] and [`Download`] are transfers of a
+//! master, message by message.
 
+mod client;
 mod describe;
 mod emergency;
 mod envelope;
@@ -22,6 +24,7 @@ mod segment;
 mod transfer;
 mod writer;
 
+pub use client::{Answered, Download, Failure, Upload};
 pub use emergency::Emergency;
 pub use envelope::{Envelope, MailboxError, Malformed, Protocol, Service};
 pub use information::{EntryDescription, Information, ListKind, ObjectDescription, Operation};

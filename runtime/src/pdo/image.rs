@@ -44,6 +44,13 @@ pub struct SyncManager {
     pub exclusive: &'static [[u16; 2]],
 }
 
+impl SyncManager {
+    /// Whether two PDOs cannot be assigned together.
+    pub const fn excludes(&self, one: u16, other: u16) -> bool {
+        has_pair(self.exclusive, one, other)
+    }
+}
+
 /// The same device: that of all PDOs in an image.
 #[diagnostic::on_unimplemented(
     message = "a PDO of `{Self}` in an image of `{Of}`",
@@ -92,7 +99,7 @@ where
         if other.index == pdo.index {
             refuse(Text::new().hex(pdo.index).text(" is in the image twice"));
         }
-        if has_pair(manager.exclusive, other.index, pdo.index) {
+        if manager.excludes(other.index, pdo.index) {
             refuse(
                 Text::new()
                     .hex(other.index)

@@ -40,6 +40,11 @@ impl MappedPdo {
         Self { index, mapping, is_own: false }
     }
 
+    /// A PDO as a master has to map it.
+    pub const fn own(index: u16, mapping: &'static [Mapping]) -> Self {
+        Self { index, mapping, is_own: true }
+    }
+
     /// The PDO of an axis, by number; refuses an axis that has none, so it is for constants.
     #[track_caller]
     pub const fn of_axis<P: Pdo>(axis: u8) -> Self {
@@ -80,6 +85,11 @@ impl Mapping {
     /// Bits that nobody reads or writes (ETG.1000.6, PDO mapping: index 0, subindex 0).
     pub const fn gap(bits: u8) -> Self {
         Self { address: Address::new(0, 0), bits }
+    }
+
+    /// Whether it is a gap.
+    pub const fn is_gap(self) -> bool {
+        self.address.index == 0 && self.address.subindex == 0
     }
 
     /// Index, subindex and length in one number, the value of the mapping object's subindex.

@@ -5,7 +5,6 @@
 
 use crate::bytes::ByteArray;
 use crate::object::Value;
-use crate::sdo::DataType;
 
 /// Loads the value whose first bit is bit `OFFSET` of the image. A value of fewer bits than its type has is extended,
 /// with its sign if it has one; of more, the highest are left out.
@@ -181,24 +180,9 @@ fn merge<const BYTES: usize>(bytes: &mut [u8], number: u128, mask: u128) {
 fn extended<T: Value>(number: u128, bits: usize) -> u128 {
     let above = u32::try_from(128_usize.saturating_sub(bits)).unwrap_or(0);
     let top = number.wrapping_shl(above);
-    if const { is_signed::<T>() } {
+    if const { T::DATA_TYPE.is_signed() } {
         (top as i128).wrapping_shr(above) as u128
     } else {
         top.wrapping_shr(above)
     }
-}
-
-/// Whether the type's numbers have a sign.
-const fn is_signed<T: Value>() -> bool {
-    matches!(
-        T::DATA_TYPE,
-        DataType::INTEGER8
-            | DataType::INTEGER16
-            | DataType::INTEGER24
-            | DataType::INTEGER32
-            | DataType::INTEGER40
-            | DataType::INTEGER48
-            | DataType::INTEGER56
-            | DataType::INTEGER64
-    )
 }

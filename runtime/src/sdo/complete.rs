@@ -90,10 +90,11 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         if length != data.len() {
             return Err(WrongLength { expected: length, found: data.len() }.into());
         }
+        self.judge_whole(from, data)?;
         let writable = || places().filter(|(entry, _)| entry.access.check_write(state).is_ok());
         for (entry, place) in writable() {
             let to = Address::new(from.index, entry.subindex);
-            check::<V>(found::<V>(to)?, piece(data, entry, place, &mut Scratch::default()))?;
+            check::<V>(found::<V>(to)?, to, piece(data, entry, place, &mut Scratch::default()))?;
         }
         let is_count = |(entry, _): &(&EntryInfo, usize)| entry.subindex == 0;
         for (entry, place) in writable().filter(|it| !is_count(it)).chain(writable().filter(is_count)) {

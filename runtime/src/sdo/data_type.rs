@@ -64,6 +64,21 @@ impl DataType {
     pub const fn is_text(self) -> bool {
         matches!(self, Self::VISIBLE_STRING | Self::OCTET_STRING | Self::UNICODE_STRING)
     }
+
+    /// Whether its values have a sign.
+    pub(crate) const fn is_signed(self) -> bool {
+        matches!(
+            self,
+            Self::INTEGER8
+                | Self::INTEGER16
+                | Self::INTEGER24
+                | Self::INTEGER32
+                | Self::INTEGER40
+                | Self::INTEGER48
+                | Self::INTEGER56
+                | Self::INTEGER64
+        )
+    }
 }
 
 impl fmt::Display for DataType {

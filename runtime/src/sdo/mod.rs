@@ -7,7 +7,7 @@
 //! | [`Dictionary`] | the table of all entries, by address: type, length, rights, where the value is |
 //! | [`Values`] | the way from a place in the table to the value; generated |
 //! | [`Hooks`] | what the firmware does at a transfer |
-//! | [`Server`] | uploads and downloads, each with its checks and abort codes |
+//! | [`Server`] | uploads and downloads, each with its checks and abort codes; process data as it is mapped at present |
 
 mod abort;
 mod access;
@@ -16,8 +16,10 @@ mod data_type;
 mod dictionary;
 mod hooks;
 mod layout;
+mod list;
 mod names;
 mod part;
+mod process_data;
 mod range;
 mod server;
 mod table;
@@ -28,8 +30,10 @@ pub use access::{Access, CommunicationState};
 pub use data_type::DataType;
 pub use dictionary::{Dictionary, Found, NONE, Page, positions};
 pub use hooks::Hooks;
+pub use list::List;
 pub use names::Names;
 pub use part::Part;
+pub use process_data::{Current, Mapped, PdoRules};
 pub use range::{Limits, Range};
 pub use server::Server;
 pub(crate) use server::found;

@@ -1,5 +1,6 @@
 //! Transfers of single entries.
 
+use super::process_data::counts_process_data;
 use super::values::Scratch;
 use super::{AbortCode, CommunicationState, DataType, Found, Hooks, ObjectCode, Part, Range, Values};
 use crate::object::Address;
@@ -7,8 +8,8 @@ use crate::object::Address;
 /// The dictionary of a device as its SDO server has it: values, and what happens when they are read and written.
 ///
 /// A transfer is judged in a fixed order, and the first fault is the one that is told: the object, its entry, the
-/// right to read or write it, the communication state, the length, the bounds of the value, and then the firmware
-/// (CiA 301, SDO abort codes; ETG.1000.6).
+/// right to read or write it, the communication state, the length, the bounds of the value, what process data may be
+/// made of, and then the firmware (CiA 301, SDO abort codes; ETG.1000.6).
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Server<V, H = ()> {
     /// The values, for the firmware as well as for the master.
@@ -76,7 +77,8 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
     ) -> Result<(), AbortCode> {
         let found = found::<V>(address)?;
         found.entry.access.check_write(state)?;
-        check::<V>(found, data)?;
+        check::<V>(found, address, data)?;
+        self.judge(address, data)?;
         self.write(found, address, data)
     }
 
@@ -125,7 +127,7 @@ pub(crate) fn found<V: Values>(address: Address) -> Result<Found, AbortCode> {
 }
 
 /// Whether data has the length and the value that the table asks for.
-pub(super) fn check<V: Values>(found: Found, data: &[u8]) -> Result<(), AbortCode> {
+pub(super) fn check<V: Values>(found: Found, address: Address, data: &[u8]) -> Result<(), AbortCode> {
     let (entry, length) = (found.entry, usize::from(found.entry.bytes()));
     if data.len() > length {
         return Err(AbortCode::LENGTH_TOO_HIGH);
@@ -133,7 +135,7 @@ pub(super) fn check<V: Values>(found: Found, data: &[u8]) -> Result<(), AbortCod
     if data.len() < length && !entry.data_type.is_text() {
         return Err(AbortCode::LENGTH_TOO_LOW);
     }
-    if !fits(found, data) {
+    if !counts_process_data::<V>(address) && !fits(found, data) {
         return Err(AbortCode::VALUE_TOO_HIGH);
     }
     let limits = found.place().and_then(|place| Range::of(V::RANGES, place));

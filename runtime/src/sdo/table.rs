@@ -60,15 +60,32 @@ impl EntryInfo {
     /// assert_eq!((ENTRIES[2].subindex, ENTRIES[2].item, ENTRIES[2].bits), (2, 1, 32));
     /// ```
     pub const fn list<const N: usize>(item: u8, data_type: DataType, bits: u16, access: Access) -> [Self; N] {
-        let count = Self {
-            subindex: 0,
-            item: Self::CONSTANT,
-            data_type: DataType::UNSIGNED8,
-            bits: 8,
-            access: Access::READ,
-        };
-        let mut list = [count; N];
-        let mut next = Self { subindex: 1, item, data_type, bits, access };
+        let next = Self { subindex: 1, item, data_type, bits, access };
+        next.behind(Self { subindex: 0, item: Self::CONSTANT, ..Self::COUNT })
+    }
+
+    /// The `N` entries of an object whose number of entries in use can change: it is the first of its values, and those
+    /// of the other entries, which are all alike, follow. The values are kept in a [`List`](super::List).
+    ///
+    /// ```
+    /// use devc_runtime::sdo::{Access, DataType, EntryInfo};
+    ///
+    /// const ENTRIES: [EntryInfo; 3] = EntryInfo::counted(DataType::UNSIGNED16, 16, Access::READ.and(Access::WRITE));
+    /// assert_eq!((ENTRIES[0].bits, ENTRIES[0].item, ENTRIES[0].access), (8, 0, ENTRIES[1].access));
+    /// assert_eq!((ENTRIES[2].subindex, ENTRIES[2].item, ENTRIES[2].bits), (2, 2, 16));
+    /// ```
+    pub const fn counted<const N: usize>(data_type: DataType, bits: u16, access: Access) -> [Self; N] {
+        let next = Self { subindex: 1, item: 1, data_type, bits, access };
+        next.behind(Self { access, ..Self::COUNT })
+    }
+
+    /// The number of entries.
+    const COUNT: Self =
+        Self { subindex: 0, item: 0, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ };
+
+    /// The number of entries with such entries behind it.
+    const fn behind<const N: usize>(self, count: Self) -> [Self; N] {
+        let (mut list, mut next) = ([count; N], self);
         let mut rest: &mut [Self] = &mut list;
         if let [_, tail @ ..] = rest {
             rest = tail;
@@ -76,7 +93,7 @@ impl EntryInfo {
         while let [entry, tail @ ..] = rest {
             *entry = next;
             next.subindex = next.subindex.wrapping_add(1);
-            next.item = if item == Self::CONSTANT { item } else { next.item.wrapping_add(1) };
+            next.item = if next.is_constant() { next.item } else { next.item.wrapping_add(1) };
             rest = tail;
         }
         list

@@ -1,6 +1,6 @@
 //! Where the values of a dictionary are kept, and how they are read and written there.
 
-use super::{AbortCode, Dictionary, Range};
+use super::{AbortCode, Dictionary, PdoRules, Range};
 use crate::bytes::copy;
 use crate::object::Value;
 
@@ -14,6 +14,9 @@ pub trait Values {
 
     /// Whether objects may be transferred as a whole (ETG.1000.6, complete access).
     const COMPLETE_ACCESS: bool = false;
+
+    /// What a master may make process data of; where there is nothing, mapping and assignment are objects as others.
+    const PROCESS_DATA: Option<&'static PdoRules> = None;
 
     /// The value at a place that the table names; nothing elsewhere.
     fn slot(&mut self, place: Place) -> Option<Slot<'_>>;

@@ -12,12 +12,13 @@ mod sealed {
 /// (9.2 million kilometres, 25 million revolutions): values beyond it stay at its end.
 ///
 /// ```
-/// use devc_runtime::unit::{AngularVelocity, Length};
+/// use devc_runtime::unit::{AngularVelocity, Length, Ratio};
 ///
 /// assert_eq!(Length::millimetres(15), Length::micrometres(15_000));
 /// assert_eq!(Length::millimetres(15).in_metres(), 0.015);
 /// assert_eq!(AngularVelocity::rpm(1), AngularVelocity::degrees_per_second(6));
 /// assert_eq!(Length::micrometres(-1500).to_string(), "-0.0015 m");
+/// assert_eq!(Ratio::permille(125).to_string(), "12.5 %");
 /// ```
 ///
 /// A length is no angle, and a number is neither:
@@ -37,7 +38,7 @@ pub trait Quantity: Copy + sealed::Sealed {
 macro_rules! quantities {
     ($(
         $(#[$doc:meta])*
-        $name:ident [$symbol:literal] {
+        $name:ident [$symbol:literal $(= $shown:expr)?] {
             $($unit:ident / $as_float:ident = $size:literal, $plural:literal;)+
         }
     )+) => {$(
@@ -91,7 +92,9 @@ macro_rules! quantities {
 
         impl fmt::Display for $name {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                show(f, self.0, $symbol)
+                let shown: &[(usize, u64)] = &[$($shown,)? (9, 1_000_000_000)];
+                let (places, unit) = shown.first().copied().unwrap_or((0, 1));
+                show(f, self.0, unit, places, $symbol)
             }
         }
     )+};
@@ -167,22 +170,28 @@ quantities! {
         seconds / in_seconds = 1_000_000_000, "seconds";
     }
     /// A part of something, such as of a rated torque, in billionths.
-    Ratio ["× 1"] {
+    Ratio ["%" = (7, 10_000_000)] {
         permille / in_permille = 1_000_000, "thousandths";
         percent / in_percent = 10_000_000, "hundredths";
         wholes / in_wholes = 1_000_000_000, "wholes";
     }
 }
 
-/// As a decimal number with its sign and as many places as it needs.
-fn show(f: &mut fmt::Formatter<'_>, billionths: i64, symbol: &str) -> fmt::Result {
-    let sign = if billionths < 0 { "-" } else { "" };
-    let (whole, mut part) =
-        (billionths.unsigned_abs() / 1_000_000_000, billionths.unsigned_abs() % 1_000_000_000);
+/// As a decimal number with its sign and as many places as it needs, of a unit that is so many of the smallest: a power of
+/// ten with so many places.
+fn show(
+    f: &mut fmt::Formatter<'_>,
+    smallest: i64,
+    unit: u64,
+    mut places: usize,
+    symbol: &str,
+) -> fmt::Result {
+    let sign = if smallest < 0 { "-" } else { "" };
+    let number = smallest.unsigned_abs();
+    let (whole, mut part) = (number.checked_div(unit).unwrap_or(0), number.checked_rem(unit).unwrap_or(0));
     if part == 0 {
         return write!(f, "{sign}{whole} {symbol}");
     }
-    let mut places = 9_usize;
     while part % 10 == 0 {
         part /= 10;
         places = places.saturating_sub(1);

@@ -3,6 +3,7 @@
 
 #![cfg(test)]
 
+mod client;
 mod complete;
 mod device;
 mod hooks;

@@ -212,12 +212,16 @@ fn each_pdo_is_an_object_that_maps_what_it_carries() {
             for (_, pdo) in pdos(model, read) {
                 let object = read.dictionary.objects.iter().find(|object| object.index == pdo.index).unwrap();
                 let values = read.dictionary.values(object).unwrap();
-                let mapped = values[1..].iter().map(|it| it.info.default.clone().unwrap());
+                let mapped: Vec<_> = values.iter().map(|it| it.info.default.clone().unwrap()).collect();
                 let expected = pdo.entries.iter().map(|it| {
                     let [low, high] = it.index.to_le_bytes();
                     vec![it.bits as u8, it.subindex.unwrap_or_default(), low, high]
                 });
-                assert_eq!(mapped.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{:04X}", pdo.index);
+                let used = pdo.entries.len();
+                assert_eq!(mapped[0], [used as u8], "{:04X}", pdo.index);
+                assert_eq!(mapped[1..=used], expected.collect::<Vec<_>>(), "{:04X}", pdo.index);
+                assert!(mapped[used + 1..].iter().all(|it| *it == [0; 4]), "{:04X}", pdo.index);
+                assert!(!pdo.fixed || mapped.len() == used + 1, "{:04X}", pdo.index);
             }
         }
     }

@@ -85,11 +85,8 @@ fn defaults_are_those_of_the_manual() {
     assert_eq!(i64::from(device.identity_object.vendor_id), printed(0x1018, 1));
     assert_eq!(i64::from(device.identity_object.serial_number), printed(0x1018, 4));
     assert_eq!(device.manufacturer_device_name, "C-887 EtherCAT");
-    assert_eq!(i64::from(device.sync_manager_2_pdo_assignment.entry_6), printed(0x1C12, 6));
-    assert_eq!(
-        i64::from(device.sync_manager_2_pdo_assignment.highest_subindex_supported),
-        printed(0x1C12, 0)
-    );
+    assert_eq!(i64::from(device.sync_manager_2_pdo_assignment.items[5]), printed(0x1C12, 6));
+    assert_eq!(i64::from(device.sync_manager_2_pdo_assignment.count), printed(0x1C12, 0));
     // An erratum answers the printed 2: entries 1 to 4 are listed.
     assert_eq!(device.buffered_parameters.highest_subindex_supported, 4);
     for (axis, shift) in device.axes.iter().zip((0_u16..).step_by(0x800)) {
@@ -120,6 +117,10 @@ fn words_states_and_errors_speak() {
     let word = Controlword(0).with_switch_on(true).with_fault_reset(true);
     assert_eq!((word.0, word.switch_on(), word.with_switch_on(false).0), (0x0081, true, 0x0080));
     assert!(Statusword(1 << 12).hm_homing_attained());
+    // the table of states (p. 9), bits 4 and 7 (p. 12)
+    assert_eq!(Statusword(0x00B7).to_string(), "operation enabled, voltage enabled, warning");
+    assert_eq!(Statusword(0x0001).to_string(), "ready to switch on", "no state has this pattern");
+    assert_eq!(Controlword(0x0007).to_string(), "switch on, enable voltage, quick stop");
     assert_eq!(ErrorCode(0x7121).to_string(), "0x7121: Motor Blocked");
     assert_eq!(ErrorCode(0xFF77).name(), Some("Manufacturer-specific Error Codes"));
     assert_eq!(

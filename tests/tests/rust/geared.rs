@@ -2,7 +2,7 @@
 
 use devc_runtime::Device;
 use devc_runtime::object::{Entry, ReadOnly, ReadWrite};
-use devc_runtime::pdo::{Rx, Unmapped};
+use devc_runtime::pdo::Unmapped;
 use devc_runtime::unit::{Angle, AngularVelocity, Force, Length, Motion, Scale, Torque, Unfit};
 
 #[expect(unreachable_pub, reason = "a device is public, a test is not")]
@@ -53,5 +53,5 @@ fn an_entry_has_no_unit_where_none_is_right() {
     // of the device, and the unit depends on the axis
     let _: Entry<Geared, i32, ReadWrite> = limits::POSITION;
     // increments on two axes, millimetres on the third
-    let _: Entry<Geared, u32, ReadWrite, Rx> = objects::position_window(Axis::C);
+    let _: Entry<Geared, u32, ReadWrite> = objects::position_window(Axis::C);
 }

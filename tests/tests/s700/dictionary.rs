@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use devc::model::{Address, Device, Entry, Index, Object};
-use devc_tests::manual::{Direction, Sub, s700};
+use devc_tests::manual::{Direction, Member, Sub, s700};
 
 use crate::{MEMBERS, departs, device, family, number, plain, rows};
 
@@ -91,10 +91,25 @@ fn every_value_is_mappable_in_its_direction() {
         rows.flat_map(|row| addresses(&row)).collect()
     };
     let (rx, tx) = (of(Direction::Rx), of(Direction::Tx));
+    let can = |entry: &Entry| (entry.pdo.rx(), entry.pdo.tx());
+    let printed = |entry: &Entry| (rx.contains(&entry.address), tx.contains(&entry.address));
     for (_, _, entry) in entries() {
-        assert_eq!(entry.pdo.rx(), rx.contains(&entry.address), "{}", entry.address);
-        assert_eq!(entry.pdo.tx(), tx.contains(&entry.address), "{}", entry.address);
         assert_eq!(entry.access.writable(), rx.contains(&entry.address), "{}", entry.address);
+        // without a free mapping, what no fixed one carries cannot be mapped at all
+        let (rx, tx) = printed(entry);
+        assert!((rx || !entry.pdo.rx()) && (tx || !entry.pdo.tx()), "{}", entry.address);
+    }
+    for member in [Member::S300, Member::S700].map(device) {
+        for entry in [&rx, &tx].into_iter().flatten().filter_map(|address| member.entry(*address)) {
+            assert_eq!(can(entry), printed(entry), "{}", entry.address);
+        }
+    }
+    for member in [Member::S400, Member::S600].map(device) {
+        let carried =
+            member.pdos.iter().flat_map(|pdo| pdo.entries.iter().filter_map(|mapped| mapped.address));
+        for entry in carried.filter_map(|address| member.entry(address)) {
+            assert_eq!(can(entry), printed(entry), "{}", entry.address);
+        }
     }
 }
 

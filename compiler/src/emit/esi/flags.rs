@@ -20,7 +20,7 @@ pub(super) fn of_object(object: &Object) -> Element {
     let tx = values().any(|entry| entry.pdo.tx());
     let kept =
         Kept { backup: values().any(|entry| entry.backup), setting: values().any(|entry| entry.setting) };
-    flags(access, object.category, mappable(rx, tx), kept)
+    flags(access, object.category, Mappable::of(rx, tx), kept)
 }
 
 /// What a tool keeps of a device.
@@ -63,14 +63,5 @@ fn word(readable: bool, writable: bool) -> &'static str {
         (_, false) => "ro",
         (false, true) => "wo",
         (true, true) => "rw",
-    }
-}
-
-fn mappable(rx: bool, tx: bool) -> Mappable {
-    match (rx, tx) {
-        (false, false) => Mappable::None,
-        (true, false) => Mappable::Rx,
-        (false, true) => Mappable::Tx,
-        (true, true) => Mappable::RxTx,
     }
 }

@@ -83,6 +83,10 @@ fn default(scope: &Scope<'_>, stored: &Stored<'_>, object: &Object) -> TokenStre
             quote!(#name: [#value; #count],)
         }
         Shape::Array => quote!(#name: [#(#values),*],),
+        Shape::List => {
+            let count = values.next();
+            quote!(#name: sdo::List { count: #count, items: [#(#values),*] },)
+        }
         Shape::Record(ident, fields) => quote!(#name: #ident { #(#fields: #values),* },),
     }
 }

@@ -28,7 +28,7 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         };
         use #runtime::error::{ErrorInfo, ErrorRange};
         #widths
-        use #runtime::object::{Address, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
+        use #runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{
             Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
             Unmapped,

@@ -1,4 +1,4 @@
-//! The whole process image that a device has if nobody changes its assignment.
+//! Whole process images: the one that a device has if nobody changes its assignment, and others.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -9,7 +9,7 @@ use super::literal::number;
 use super::names::{Names, snake};
 use super::packing::{self, Layout};
 use super::scope::Scope;
-use crate::model::{Index, Pdo, Role};
+use crate::model::{Direction, Index, Pdo, Role};
 
 /// A field of an image.
 struct Part<'a, 'p> {
@@ -22,31 +22,45 @@ struct Part<'a, 'p> {
 }
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let outputs = image(scope, Role::Outputs, "Outputs", "The outputs of the master", quote!(Rx));
-    let inputs = image(scope, Role::Inputs, "Inputs", "The inputs of the master", quote!(Tx));
-    [outputs, inputs].into_iter().flatten().collect()
+    [Direction::Rx, Direction::Tx].into_iter().filter_map(|way| by_default(scope, way)).collect()
 }
 
-/// None if there are no PDOs in it, or if one of them ends within a byte.
-fn image(
-    scope: &Scope<'_>,
-    role: Role,
-    name: &str,
-    title: &str,
-    direction: TokenStream,
-) -> Option<TokenStream> {
-    let manager = scope.device.sync_manager(role)?;
-    let assigned: Vec<Index> = scope.device.assigned(role).map(|pdo| pdo.index).collect();
-    let parts = parts(scope, &assigned).filter(|parts| !parts.is_empty())?;
-    let fields = parts.iter().map(|part| field(scope, part));
-    let pdos = parts.iter().flat_map(|part| selected(scope, part));
-    let (name, length) = (format_ident!("{name}"), scope.device.image_bytes(role));
+/// The image by default; none if there are no PDOs in it, or if one of them ends within a byte.
+pub(super) fn by_default(scope: &Scope<'_>, way: Direction) -> Option<TokenStream> {
+    let manager = scope.device.sync_manager(Role::of(way))?;
+    let assigned: Vec<Index> = scope.device.assigned(manager.role).map(|pdo| pdo.index).collect();
+    if assigned.is_empty() {
+        return None;
+    }
+    let title = match way {
+        Direction::Rx => "The outputs of the master",
+        Direction::Tx => "The inputs of the master",
+    };
+    let length = scope.device.image_bytes(manager.role);
     let doc = Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes.")).said(
         manager.source.as_ref(),
         &manager.origin,
         scope.device,
     );
-    let packing = packing::items(scope, &name, direction, &layout(scope, &parts, length));
+    let pdos: Vec<&Placed<'_, Pdo>> = scope.pdos.iter().collect();
+    image(scope, &pdos, &assigned, way, &doc)
+}
+
+/// An image of PDOs out of these; none if one of them ends within a byte.
+pub(super) fn image(
+    scope: &Scope<'_>,
+    pdos: &[&Placed<'_, Pdo>],
+    assigned: &[Index],
+    way: Direction,
+    doc: &Doc,
+) -> Option<TokenStream> {
+    let parts = parts(pdos, assigned)?;
+    let fields = parts.iter().map(|part| field(scope, part));
+    let pdos = parts.iter().flat_map(|part| selected(scope, part));
+    let name = name(way);
+    let count = |part: &Part<'_, '_>| u32::try_from(part.count()).unwrap_or(0);
+    let length = parts.iter().map(|part| part.pdo.first.bytes() * count(part)).sum();
+    let packing = packing::items(scope, &name, super::pdos::direction(way), &layout(scope, &parts, length));
     Some(quote! {
         #doc
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,11 +74,26 @@ fn image(
     })
 }
 
+/// The name of the image of a direction.
+pub(super) fn name(way: Direction) -> Ident {
+    match way {
+        Direction::Rx => format_ident!("Outputs"),
+        Direction::Tx => format_ident!("Inputs"),
+    }
+}
+
+impl Part<'_, '_> {
+    /// How many PDOs it is.
+    fn count(&self) -> usize {
+        if self.of_axes { self.pdo.all.len() } else { 1 }
+    }
+}
+
 /// The assigned PDOs, those of all axes in a row put together.
-fn parts<'a, 'p>(scope: &'p Scope<'a>, mut assigned: &[Index]) -> Option<Vec<Part<'a, 'p>>> {
+fn parts<'a, 'p>(pdos: &[&'p Placed<'a, Pdo>], mut assigned: &[Index]) -> Option<Vec<Part<'a, 'p>>> {
     let (mut parts, mut names) = (Vec::new(), Names::default());
     while let Some((first, rest)) = assigned.split_first() {
-        let pdo = scope.pdos.iter().find(|pdo| pdo.all.iter().any(|one| one.index == *first))?;
+        let pdo = *pdos.iter().find(|pdo| pdo.all.iter().any(|one| one.index == *first))?;
         if !pdo.first.bits().is_multiple_of(8) {
             return None;
         }
@@ -94,8 +123,7 @@ fn field(scope: &Scope<'_>, part: &Part<'_, '_>) -> TokenStream {
 /// The PDOs with what is mapped to them.
 fn selected(scope: &Scope<'_>, part: &Part<'_, '_>) -> Vec<TokenStream> {
     let pdo = scope.pdo_ident(part.pdo);
-    let count = if part.of_axes { part.pdo.all.len() } else { 1 };
-    let selected = (part.axis..part.axis + count).map(|axis| {
+    let selected = (part.axis..part.axis + part.count()).map(|axis| {
         let axis = number(axis);
         quote!(MappedPdo::of_axis::<#pdo>(#axis))
     });
@@ -146,8 +174,7 @@ fn views(scope: &Scope<'_>, parts: &[Part<'_, '_>]) -> TokenStream {
         let axes = scope.axis_idents().into_iter().map(|(_, variable)| variable);
         let content = if part.of_axes { quote!([#pdo; #(#axes),*]) } else { quote!(#pdo) };
         lines.extend(quote!(#name, #name_mut: #content => #at;));
-        let bytes = part.pdo.first.bytes();
-        offset += bytes * if part.of_axes { u32::try_from(part.pdo.all.len()).unwrap_or(0) } else { 1 };
+        offset += part.pdo.first.bytes() * u32::try_from(part.count()).unwrap_or(0);
     }
     lines
 }

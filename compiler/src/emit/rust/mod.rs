@@ -6,6 +6,7 @@
 mod axes;
 mod braces;
 mod bytes;
+mod chosen;
 mod codes;
 mod commands;
 mod default;

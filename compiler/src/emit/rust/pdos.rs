@@ -14,18 +14,27 @@ use super::scope::Scope;
 use super::types::{Primitive, ValueType};
 use crate::model::{DataType, Direction, Mapped, Pdo};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    scope.pdos.iter().map(|pdo| items_of(scope, pdo)).collect()
+/// Who maps a PDO.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum By {
+    /// The device, as it starts.
+    Device,
+    /// A master, as a configuration has it.
+    Master,
 }
 
-fn items_of(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
+pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+    scope.pdos.iter().map(|pdo| items_of(scope, pdo, By::Device)).collect()
+}
+
+pub(super) fn items_of(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, by: By) -> TokenStream {
     let pdo = placed.first;
     let (name, places) = (scope.pdo_ident(placed), places(scope, pdo));
     let fields = pdo.entries.iter().zip(&places).filter_map(|(mapped, place)| field(scope, mapped, place));
     let doc = doc(scope, placed);
     let layout = Layout::of_fields(&places, pdo.bytes());
     let packing = packing::items(scope, &name, direction(pdo.direction), &layout);
-    let mapping = mapping(scope, placed, &name);
+    let mapping = mapping(scope, placed, &name, by);
     quote! {
         #doc
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,7 +110,7 @@ fn field(scope: &Scope<'_>, mapped: &Mapped, place: &Place) -> Option<TokenStrea
 }
 
 /// The index and what is mapped: of the PDO, or of each axis and for the trait of the first.
-fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident) -> TokenStream {
+fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident, by: By) -> TokenStream {
     let pdo = placed.first;
     let rows = pdo.entries.iter().map(|mapped| {
         let (index, subindex) = match mapped.address {
@@ -115,18 +124,27 @@ fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident) -> TokenSt
         quote!(Mapping { address: Address::new(#index, #subindex), bits: #bits })
     });
     let (count, index) = (number(pdo.entries.len()), axes::index(pdo.index, placed.shift));
+    let made = match by {
+        By::Device => quote!(MappedPdo::new),
+        By::Master => quote!(MappedPdo::own),
+    };
     if placed.shift.is_none() {
+        let all = (by == By::Master).then(|| {
+            quote!(
+                const ALL: &'static [MappedPdo] = &[#made(Self::INDEX, Self::MAPPING)];
+            )
+        });
         return quote! {
             impl Pdo for #name {
                 const INDEX: u16 = #index;
                 const MAPPING: &'static [Mapping] = &[#(#rows),*];
+                #all
             }
         };
     }
     let axes: Vec<Ident> = scope.axis_idents().into_iter().map(|(axis, _)| axis).collect();
     let first = axes.first();
-    let all =
-        axes.iter().map(|axis| quote!(MappedPdo::new(Self::index(Axis::#axis), &Self::mapping(Axis::#axis))));
+    let all = axes.iter().map(|axis| quote!(#made(Self::index(Axis::#axis), &Self::mapping(Axis::#axis))));
     quote! {
         impl #name {
             /// The index of the PDO of an axis.

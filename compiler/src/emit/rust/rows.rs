@@ -29,6 +29,8 @@ struct Place {
 enum Entries {
     /// A number of entries, which never changes, and then entries that are all alike.
     List { count: usize, first: Option<usize>, attributes: Attributes },
+    /// A number of entries, which can change, and then entries that are all alike, with the same rights.
+    Counted { count: usize, attributes: Attributes },
     /// Each by its subindex, with the position of its value among those of the object that can change.
     Single(Vec<(u8, Option<usize>, Attributes)>),
 }
@@ -85,7 +87,16 @@ impl Entries {
     fn of(object: &Object, home: Option<&Home>) -> Self {
         let single = |entry: &Entry| (entry.address.subindex, item(home, entry), Attributes::of(entry));
         let entries: Vec<_> = object.entries.iter().map(single).collect();
-        Self::list(&entries).unwrap_or(Self::Single(entries))
+        Self::list(&entries).or_else(|| Self::counted(&entries)).unwrap_or(Self::Single(entries))
+    }
+
+    fn counted(entries: &[(u8, Option<usize>, Attributes)]) -> Option<Self> {
+        let [count, items @ ..] = entries else { return None };
+        let (_, _, attributes) = items.first()?;
+        let expected = (1..=u8::MAX).zip(1..).map(|(subindex, item)| (subindex, Some(item), *attributes));
+        let number = (0, Some(0), Attributes { data_type: Attributes::COUNT.data_type, ..*attributes });
+        let is_counted = *count == number && expected.take(items.len()).eq(items.iter().copied());
+        is_counted.then_some(Self::Counted { count: entries.len(), attributes: *attributes })
     }
 
     fn list(entries: &[(u8, Option<usize>, Attributes)]) -> Option<Self> {
@@ -103,6 +114,10 @@ impl Entries {
             Self::List { count, first, attributes } => {
                 let (count, first, attributes) = (number(*count), position(*first), attributes.tokens());
                 quote!(&const { EntryInfo::list::<#count>(#first, #attributes) })
+            }
+            Self::Counted { count, attributes } => {
+                let (count, attributes) = (number(*count), attributes.tokens());
+                quote!(&const { EntryInfo::counted::<#count>(#attributes) })
             }
             Self::Single(entries) => {
                 let entries = entries.iter().map(|(subindex, item, attributes)| {

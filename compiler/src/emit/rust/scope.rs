@@ -24,6 +24,7 @@ const RESERVED: &[&str] = &[
     "Bit5",
     "Bit6",
     "Bit7",
+    "BitField",
     "BringUp",
     "Carries",
     "Command",

@@ -3,11 +3,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::literal::number;
+use super::literal::{hex16, number, option};
 use super::ranges;
 use super::scope::Scope;
 use super::stored::{Shape, Stored, kept};
 use super::types::{Primitive, ValueType};
+use crate::model::{Direction, Role};
 
 pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let (of_axis, of_device): (Vec<&Stored<'_>>, Vec<&Stored<'_>>) =
@@ -26,11 +27,13 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
             const COMPLETE_ACCESS: bool = true;
         )
     });
+    let process_data = process_data(scope);
     quote! {
         impl sdo::Values for Dictionary {
             const TABLE: &'static sdo::Dictionary = &TABLE;
             #constant
             #complete_access
+            #process_data
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> { #device }
         }
@@ -38,6 +41,29 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
         #(#records)*
         #ranges
     }
+}
+
+/// What process data may be made of, for a device that has any.
+fn process_data(scope: &Scope<'_>) -> Option<TokenStream> {
+    let (device, marker) = (scope.device, &scope.marker);
+    let manager = |way| {
+        device.sync_manager(Role::of(way)).map(|_| {
+            let direction = super::pdos::direction(way);
+            quote!(<#marker as Carries<#direction>>::SYNC_MANAGER)
+        })
+    };
+    let (outputs, inputs) = (option(manager(Direction::Rx)), option(manager(Direction::Tx)));
+    let limits = device.pdos.iter().filter_map(|pdo| Some((hex16(pdo.index.0), number(pdo.max_bytes?))));
+    let limits = limits.map(|(index, bytes)| quote!((#index, #bytes)));
+    (!device.pdos.is_empty()).then(|| {
+        quote! {
+            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
+                outputs: #outputs,
+                inputs: #inputs,
+                max_bytes: &[#(#limits),*],
+            });
+        }
+    })
 }
 
 fn axis(scope: &Scope<'_>, objects: &[&Stored<'_>]) -> TokenStream {
@@ -65,9 +91,13 @@ fn body(scope: &Scope<'_>, objects: &[&Stored<'_>], otherwise: &TokenStream) -> 
 
 fn field(scope: &Scope<'_>, object: &Stored<'_>) -> TokenStream {
     let name = &object.name;
-    match (&object.shape, object.entries.first()) {
-        (Shape::Single, Some(entry)) => slot(&kept(scope, entry), &quote!(self.#name)),
-        (Shape::Array, Some(entry)) => items_of(&kept(scope, entry), &quote!(self.#name.get_mut(item))),
+    match (&object.shape, object.entries.as_slice()) {
+        (Shape::Single, [entry, ..]) => slot(&kept(scope, entry), &quote!(self.#name)),
+        (Shape::Array, [entry, ..]) => items_of(&kept(scope, entry), &quote!(self.#name.get_mut(item))),
+        (Shape::List, [_, entry, ..]) => {
+            let items = items_of(&kept(scope, entry), &quote!(self.#name.item(item)));
+            quote!(match place.item { 0 => Some(sdo::Slot::U8(&mut self.#name.count)), item => #items })
+        }
         _ => quote!(self.#name.slot(place.item)),
     }
 }

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::axes;
+use super::chosen;
 use super::doc::{Doc, sentence};
 use super::literal::{hex8, hex16, number, option};
 use super::names::{Names, shout};
@@ -42,11 +43,15 @@ fn configurations(scope: &Scope<'_>) -> TokenStream {
         let name = names.claim(&shout(&configuration.id));
         list(scope, configuration, &name)
     });
+    let images =
+        scope.device.configurations.iter().filter_map(|configuration| chosen::module(scope, configuration));
     quote! {
-        /// Start-up lists of the choices that are described: what to write before Safe-Operational, in order.
+        /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
+        /// then.
         pub mod configurations {
             use super::*;
             #(#lists)*
+            #(#images)*
         }
     }
 }
@@ -76,5 +81,7 @@ fn write(write: &SdoWrite) -> TokenStream {
     let (index, subindex) = (hex16(write.address.index.0), number(write.address.subindex));
     let data = write.data.iter().map(|byte| hex8(*byte));
     let what = &write.comment;
-    quote!(Write::new(Address::new(#index, #subindex), &[#(#data),*], #what))
+    let transition = Some(&write.transition).filter(|transition| *transition != "PS");
+    let during = transition.map(|transition| quote!(.during(#transition)));
+    quote!(Write::new(Address::new(#index, #subindex), &[#(#data),*], #what)#during)
 }

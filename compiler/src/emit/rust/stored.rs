@@ -33,6 +33,8 @@ pub(super) enum Shape {
     Single,
     /// Values of one type from subindex 1 on.
     Array,
+    /// Values of one type, and before them how many of them are in use.
+    List,
     /// A struct of this name, with these fields.
     Record(Ident, Vec<Ident>),
 }
@@ -49,7 +51,7 @@ impl<'a> Stored<'a> {
 
     fn of(scope: &Scope<'_>, placed: &'a Placed<'a, Object>, names: &mut Names) -> Option<Self> {
         let object = placed.first;
-        let entries = changeable(object);
+        let entries = changeable(scope, object);
         let (first, more) = entries.split_first()?;
         let name = snake(&placed.id);
         if object.kind == Kind::Var && more.is_empty() {
@@ -62,6 +64,12 @@ impl<'a> Stored<'a> {
             let doc = doc.lines(entries.iter().map(|entry| list_item(scope, entry)));
             let field = quote!([#item; #count]);
             return Some(Self { placed, number: 0, name, field, doc, shape: Shape::Array, entries });
+        }
+        if let Some(item) = more.first().filter(|_| is_list(object, &entries)) {
+            let doc = doc.text(&entry::facts(scope, first, None));
+            let (item, count) = (kept(scope, item).field(), literal::number(more.len()));
+            let field = quote!(sdo::List<#item, #count>);
+            return Some(Self { placed, number: 0, name, field, doc, shape: Shape::List, entries });
         }
         let ident = names.claim(&camel(&placed.id));
         let mut names = Names::default();
@@ -84,7 +92,7 @@ impl<'a> Stored<'a> {
     pub(super) fn record(&self) -> Option<(&Ident, impl Iterator<Item = (&'a Entry, &Ident)>)> {
         match &self.shape {
             Shape::Record(name, fields) => Some((name, self.entries.iter().copied().zip(fields))),
-            Shape::Single | Shape::Array => None,
+            Shape::Single | Shape::Array | Shape::List => None,
         }
     }
 }
@@ -135,11 +143,14 @@ fn list_item(scope: &Scope<'_>, entry: &Entry) -> String {
 }
 
 /// The entries that have to be kept: not those that never change, by their access or because they follow from the
-/// PDOs or from the number of entries.
-fn changeable(object: &Object) -> Vec<&Entry> {
+/// PDOs or from the number of entries. A mapping that is not fixed changes even if not by the mailbox.
+fn changeable<'a>(scope: &Scope<'_>, object: &'a Object) -> Vec<&'a Entry> {
+    let is_free = scope.device.pdo(object.index).is_some_and(|pdo| !pdo.fixed);
     let fixed = |entry: &Entry| {
         entry.access == Access::Const
-            || (entry.access == Access::Ro && provenance(&entry.origin, "type") == Provenance::Derived)
+            || entry.access == Access::Ro
+                && !is_free
+                && provenance(&entry.origin, "type") == Provenance::Derived
             || entry.access == Access::Ro && matches!(entry.data_type, DataType::Text(0))
     };
     object.entries.iter().filter(|entry| !fixed(entry)).collect()
@@ -151,4 +162,15 @@ fn is_array(scope: &Scope<'_>, object: &Object, entries: &[&Entry]) -> bool {
     object.kind == Kind::Array
         && entries.iter().zip(1..=u8::MAX).all(|(entry, subindex)| entry.address.subindex == subindex)
         && entries.iter().all(|entry| kept(scope, entry) == kept(scope, first))
+}
+
+/// Whether the values are what process data is made of, after their number, all of which can change.
+fn is_list(object: &Object, entries: &[&Entry]) -> bool {
+    let (Some(count), Some(first)) = (entries.first(), entries.get(1)) else { return false };
+    let rights = |entry: &Entry| (entry.access, entry.written, entry.pdo);
+    object.derived
+        && count.data_type == DataType::Uint(8)
+        && entries.iter().zip(0..=u8::MAX).all(|(entry, subindex)| entry.address.subindex == subindex)
+        && entries.iter().all(|entry| rights(entry) == rights(count) && entry.values.is_empty())
+        && entries.iter().skip(1).all(|entry| entry.data_type == first.data_type)
 }

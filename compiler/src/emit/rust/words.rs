@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::doc::{Doc, escape, sentence};
-use super::literal::{self, parsed};
+use super::literal::{self, number, parsed};
 use super::names::{Names, snake};
 use super::scope::Scope;
 use crate::model::{Field, Mode, Word};
@@ -28,8 +28,8 @@ fn word(scope: &Scope<'_>, word: &Word) -> Option<TokenStream> {
     let general = word.fields.iter().filter(|field| !field.reserved && !field.per_mode);
     let mut methods: Vec<TokenStream> = general.map(|field| bits.methods(field, None)).collect();
     methods.extend(of_modes(scope, word, &mut bits));
-    let state =
-        (word.address == super::types::address(0x6041) && !scope.device.states.is_empty()).then(state);
+    let shows_state = word.address == super::types::address(0x6041) && !scope.device.states.is_empty();
+    let (state, display) = (shows_state.then(state), display(scope, word, name, shows_state));
     Some(quote! {
         #doc
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -40,8 +40,40 @@ fn word(scope: &Scope<'_>, word: &Word) -> Option<TokenStream> {
             #(#methods)*
         }
 
+        #display
+
         #runtime::value!(#name as #number);
     })
+}
+
+/// The bits of the statusword that show the state (CiA 402, statusword); a drive may use others as well, and they are told
+/// beside it.
+const STATE_BITS: u16 = 0x006F;
+
+/// The word as people read it: its state, and what else is set.
+fn display(scope: &Scope<'_>, word: &Word, name: &Ident, shows_state: bool) -> TokenStream {
+    let runtime = scope.runtime;
+    let patterns = scope.device.states.iter().filter_map(|state| state.pattern.as_ref());
+    let of_states = STATE_BITS & patterns.fold(0, |bits, pattern| bits | pattern.mask());
+    let fields = word.fields.iter().filter(|field| !field.reserved && !field.per_mode).map(|field| {
+        let (low, bits, name) = (number(field.low), number(field.width()), field.id.replace('-', " "));
+        let is_of_state =
+            shows_state && 1_u16.checked_shl(field.low.into()).is_some_and(|bit| of_states & bit != 0);
+        let of_state = is_of_state.then(|| quote!(.of_state()));
+        quote!(BitField::new(#low, #bits, #name)#of_state)
+    });
+    let state = match shows_state {
+        true => quote!(self.state().ok()),
+        false => quote!(None::<&str>),
+    };
+    quote! {
+        impl core::fmt::Display for #name {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                const FIELDS: &[BitField] = &[#(#fields),*];
+                #runtime::object::show_word(f, self.0.into(), #state, FIELDS)
+            }
+        }
+    }
 }
 
 fn state() -> TokenStream {

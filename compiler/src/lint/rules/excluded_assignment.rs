@@ -1,11 +1,11 @@
 use crate::diagnostic::{Diagnostic, rule};
-use crate::lint::Report;
-use crate::model::{Device, Pdo, Section};
+use crate::lint::{Report, images};
+use crate::model::{Device, Pdo};
 use crate::source::Location;
 
 rule! {
     /// PDOs that exclude each other cannot be assigned together. If the default assignment does so, the device
-    /// does not start with the settings that its own ESI file gives a master.
+    /// does not start with the settings that its own ESI file gives a master; a configuration that does so is refused.
     ///
     /// ## Fires
     /// ```toml
@@ -53,12 +53,16 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for manager in &device.sync_managers {
-        let pdos: Vec<&Pdo> = manager.pdos.iter().filter_map(|index| device.pdo(*index)).collect();
-        for (i, second) in pdos.iter().enumerate() {
-            for first in pdos.iter().take(i) {
-                if let Some(diagnostic) = judge(first, second, manager.origin.value("pdos")) {
-                    report.push(Section::SyncManagers.at(&manager.id), diagnostic);
+    for image in images::images(device) {
+        let Some(assigned) = image.assigned() else { continue };
+        for (i, second) in image.pdos.iter().enumerate() {
+            for first in image.pdos.iter().take(i) {
+                if let Some(diagnostic) = judge(first, second, assigned) {
+                    let help = match image.configuration {
+                        Some(_) => "choose one of them",
+                        None => "assign one of them by default; a master can choose the other",
+                    };
+                    report.push(image.place(), diagnostic.help(help));
                 }
             }
         }
@@ -80,5 +84,5 @@ fn judge(first: &Pdo, second: &Pdo, assigned: Location) -> Option<Diagnostic> {
         let label = format!("{} excludes {}", one.index, other.index);
         diagnostic = diagnostic.label(one.origin.value("excludes"), label);
     }
-    Some(diagnostic.help("assign one of them by default; a master can choose the other"))
+    Some(diagnostic)
 }

@@ -55,11 +55,13 @@ mod misordered_sync_managers;
 mod misplaced_sync_manager;
 mod missing_config_data;
 mod missing_group;
+mod missing_mandatory_pdo;
 mod missing_object;
 mod missing_sync_manager;
 mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
+mod overfull_assignment;
 mod overlapping_bits;
 mod overlapping_groups;
 mod overlapping_states;
@@ -72,6 +74,7 @@ mod overwide_entry;
 mod patternless_state;
 mod placeholder_identity;
 mod pointless_exclusion;
+mod refused_choice;
 mod renamed_entry;
 mod repeated_alias;
 mod repeated_assignment;
@@ -100,6 +103,7 @@ mod unplaced_object;
 mod unreachable_area;
 mod unreachable_default;
 mod unreachable_transition;
+mod unrepresentable_cycle_time;
 mod unrepresentable_value;
 mod unrestorable_value;
 mod unscaled_axis;
@@ -107,8 +111,10 @@ mod unsized_string;
 mod unsourced_fact;
 mod unspoken_ability;
 mod unsupported_configuration_mode;
+mod unsupported_cycle_time;
 mod unsupported_pdo_mode;
 mod unsupported_transition;
+mod unwritable_output;
 mod widthless_entry;
 mod withheld_bit;
 
@@ -175,11 +181,13 @@ lints! {
     misplaced_sync_manager,
     missing_config_data,
     missing_group,
+    missing_mandatory_pdo,
     missing_object,
     missing_sync_manager,
     mixed_vendors,
     odd_count_type,
     one_sided_exclusion,
+    overfull_assignment,
     overlapping_bits,
     overlapping_groups,
     overlapping_states,
@@ -192,6 +200,7 @@ lints! {
     patternless_state,
     placeholder_identity,
     pointless_exclusion,
+    refused_choice,
     renamed_entry,
     repeated_alias,
     repeated_assignment,
@@ -220,6 +229,7 @@ lints! {
     unreachable_area,
     unreachable_default,
     unreachable_transition,
+    unrepresentable_cycle_time,
     unrepresentable_value,
     unrestorable_value,
     unscaled_axis,
@@ -227,8 +237,10 @@ lints! {
     unsourced_fact,
     unspoken_ability,
     unsupported_configuration_mode,
+    unsupported_cycle_time,
     unsupported_pdo_mode,
     unsupported_transition,
     widthless_entry,
+    unwritable_output,
     withheld_bit,
 }

@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Device, Pdo};
+use crate::model::{Device, Pdo, Place, Section};
+use crate::source::Location;
 
 rule! {
     /// A device refuses a mapping that is longer than it can carry.
@@ -36,18 +37,27 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     for pdo in &device.pdos {
-        let entries = u32::try_from(pdo.entries.len()).unwrap_or(u32::MAX);
-        judge(pdo, "max-bytes", pdo.bytes(), pdo.max_bytes.map(u32::from), "bytes", report);
-        judge(pdo, "max-entries", entries, pdo.max_entries.map(u32::from), "entries", report);
+        check_pdo(pdo, &pdo.index.into(), pdo.origin.value("entries"), report);
+    }
+    for configuration in &device.configurations {
+        for pdo in &configuration.mapping {
+            let at = configuration.origin.value(&format!("mapping.{}", pdo.leading));
+            let place = Section::Configurations.at(&configuration.id).at(format!("mapping.{}", pdo.index));
+            check_pdo(pdo, &place, at, report);
+        }
     }
 }
 
-fn judge(pdo: &Pdo, key: &str, has: u32, max: Option<u32>, what: &str, report: &mut Report) {
-    if let Some(max) = max.filter(|max| has > *max) {
+fn check_pdo(pdo: &Pdo, place: &Place, mapped: Location, report: &mut Report) {
+    let entries = u32::try_from(pdo.entries.len()).unwrap_or(u32::MAX);
+    let limits = [
+        ("max-bytes", pdo.bytes(), pdo.max_bytes.map(u32::from), "bytes"),
+        ("max-entries", entries, pdo.max_entries.map(u32::from), "entries"),
+    ];
+    for (key, has, max, what) in limits {
+        let Some(max) = max.filter(|max| has > *max) else { continue };
         let message = format!("{} has {has} {what}, but the device takes {max}", pdo.index);
-        let diagnostic =
-            Diagnostic::new(&RULE, message, pdo.origin.value("entries"), format!("{has} {what}"))
-                .label(pdo.origin.value(key), "the limit");
-        report.push(pdo.index, diagnostic);
+        let diagnostic = Diagnostic::new(&RULE, message, mapped, format!("{has} {what}"));
+        report.push(place.clone(), diagnostic.label(pdo.origin.value(key), "the limit"));
     }
 }

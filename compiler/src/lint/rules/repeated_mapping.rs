@@ -1,14 +1,14 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, rule};
-use crate::lint::{Report, lookup};
+use crate::lint::{Report, images};
 use crate::model::Device;
 
 rule! {
     /// An object that is twice in what a master sends has two values in the same cycle, and which one counts is
     /// open; twice in what a device sends it takes bytes for nothing.
     ///
-    /// Only the PDOs that are assigned by default are looked at together.
+    /// The PDOs that are assigned by default are looked at together, and those of each configuration.
     ///
     /// ## Fires
     /// ```toml
@@ -48,18 +48,21 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for manager in &device.sync_managers {
+    for image in images::images(device) {
         let mut first = BTreeMap::new();
-        for (pdo, at, mapped) in lookup::mapped(device).filter(|(pdo, ..)| manager.pdos.contains(&pdo.index))
-        {
+        for (pdo, at, mapped) in image.mapped() {
             let Some(address) = mapped.address else { continue };
             let Some((other, place)) = first.get(&address) else {
                 first.insert(address, (pdo.index, mapped.at));
                 continue;
             };
+            let when = match image.configuration {
+                Some(configuration) => format!("assigned together by `{}`", configuration.id),
+                None => "both assigned by default".to_owned(),
+            };
             let message = match *other == pdo.index {
                 true => format!("{address} is twice in {other}"),
-                false => format!("{address} is in {other} and in {}, both assigned by default", pdo.index),
+                false => format!("{address} is in {other} and in {}, {when}", pdo.index),
             };
             let diagnostic = Diagnostic::new(&RULE, message, mapped.at, "again here");
             report.push(at, diagnostic.label(*place, "first here"));

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, rule};
-use crate::lint::Report;
+use crate::lint::{Report, images};
 use crate::model::{Device, Role, Section};
 
 rule! {
@@ -62,6 +62,20 @@ pub(super) fn check(device: &Device, report: &mut Report) {
             false => diagnostic.note("a mailbox has 6 bytes of head, 2 of CoE and 8 of an SDO at least"),
         };
         report.push(Section::SyncManagers.at(key), diagnostic);
+    }
+    chosen(device, report);
+}
+
+/// What configurations have a sync manager carry.
+fn chosen(device: &Device, report: &mut Report) {
+    for image in images::images(device).filter(|image| image.configuration.is_some()) {
+        let (Some(manager), Some(assigned)) = (image.manager, image.assigned()) else { continue };
+        let needs = image.bytes();
+        let Some(max) = manager.max_size.filter(|max| u32::from(*max) < needs) else { continue };
+        let message = format!("`{}` has {max} bytes, but needs {needs}", manager.role.key());
+        let diagnostic = Diagnostic::new(&RULE, message, assigned, format!("{needs} bytes"));
+        report
+            .push(image.place(), diagnostic.label(manager.origin.value("max-size"), format!("{max} bytes")));
     }
 }
 

@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Address, Device, Direction, Index, Mode, Pdo, Section};
+use crate::lint::images::{self, Image};
+use crate::model::{Address, Device, Direction, Index, Mode, Pdo, Role, Section};
 
 rule! {
     /// In a cyclic mode the master sends a set value in every cycle. If no PDO carries it and none can be
@@ -51,15 +52,20 @@ const SET_VALUES: [(i16, Index, &str); 3] = [
 ];
 
 pub(super) fn check(device: &Device, report: &mut Report) {
+    modes(device, report);
+    for image in images::images(device).filter(|image| image.role == Role::Outputs) {
+        chosen(device, &image, report);
+    }
+}
+
+fn modes(device: &Device, report: &mut Report) {
     let mut outputs = device.pdos_of(Direction::Rx).peekable();
     if outputs.peek().is_none() || outputs.any(|pdo| !pdo.fixed) {
         return;
     }
     for mode in device.modes.iter().filter(|mode| mode.cyclic) {
-        let Some((code, index, name)) = SET_VALUES.iter().find(|(code, ..)| *code == mode.code) else {
-            continue;
-        };
-        if device.pdos_of(Direction::Rx).any(|pdo| carries(pdo, mode, *index)) {
+        let Some((code, index, name)) = set_value(mode.code) else { continue };
+        if device.pdos_of(Direction::Rx).any(|pdo| carries(pdo, mode, index)) {
             continue;
         }
         let message =
@@ -67,6 +73,24 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         let diagnostic = Diagnostic::new(&RULE, message, mode.origin.header(), "cannot be used without it");
         report.push(Section::Modes.at(code), diagnostic.help("map it, or leave the mode out"));
     }
+}
+
+/// A configuration that sets a cyclic mode has to carry its set value.
+fn chosen(device: &Device, image: &Image<'_>, report: &mut Report) {
+    let Some(configuration) = image.configuration else { return };
+    let (Some(code), Some(assigned)) = (configuration.mode, image.assigned()) else { return };
+    let mode = device.modes.iter().find(|mode| mode.code == code && mode.cyclic);
+    let Some((mode, (_, index, name))) = mode.zip(set_value(code)) else { return };
+    if image.pdos.iter().any(|pdo| carries(pdo, mode, index)) {
+        return;
+    }
+    let message = format!("`{}` carries no {index}, the {name} that mode {code} needs", configuration.name);
+    let diagnostic = Diagnostic::new(&RULE, message, assigned, "not among these");
+    report.push(image.place(), diagnostic.label(configuration.origin.value("mode"), "sets the mode"));
+}
+
+fn set_value(code: i16) -> Option<(i16, Index, &'static str)> {
+    SET_VALUES.iter().find(|(mode, ..)| *mode == code).copied()
 }
 
 /// Whether a PDO is for a mode: because it says so, or because it carries the set value or another object that

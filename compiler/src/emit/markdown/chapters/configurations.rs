@@ -65,6 +65,7 @@ fn configuration(context: &Context<'_>, configuration: &Configuration) -> Config
         inputs: _,
         mode: _,
         cycle_time: _,
+        writes: _,
         startup: _,
         origin,
     } = configuration;

@@ -1,0 +1,31 @@
+//! How many entries a mapping object has.
+
+use crate::model::{Direction, Entry, Object, Pdo};
+
+/// The last subindex of a mapping object, ETG.1000.6.
+const LAST: usize = 254;
+
+/// How many entries can be mapped to a PDO: as many as it has if its mapping is fixed. Else it is what is said; if nothing
+/// is, everything that can be mapped once, as far as its bytes and those of its sync manager go with the narrowest of that.
+pub(super) fn entries(pdo: &Pdo, objects: &[Object], carried: Option<u16>) -> usize {
+    let used = pdo.entries.len();
+    if pdo.fixed {
+        return used;
+    }
+    let takes = pdo.max_entries.map_or_else(|| fitting(pdo, objects, carried), usize::from);
+    takes.min(LAST).max(used)
+}
+
+fn fitting(pdo: &Pdo, objects: &[Object], carried: Option<u16>) -> usize {
+    let widths =
+        || mappable(objects, pdo.direction).map(|entry| entry.data_type.bits()).filter(|bits| *bits > 0);
+    let bytes = [pdo.max_bytes, carried].into_iter().flatten().min();
+    let narrowest = widths().min().unwrap_or(1);
+    let room = bytes.map_or(LAST, |bytes| usize::from(bytes) * 8 / usize::try_from(narrowest).unwrap_or(1));
+    room.min(widths().count())
+}
+
+/// What can be in PDOs of a direction.
+fn mappable(objects: &[Object], direction: Direction) -> impl Iterator<Item = &Entry> {
+    objects.iter().flat_map(|object| &object.entries).filter(move |entry| entry.pdo.goes(direction))
+}

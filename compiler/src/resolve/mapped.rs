@@ -1,0 +1,152 @@
+//! What a PDO carries, laid out bit by bit.
+
+use std::borrow::Cow;
+
+use super::context::Context;
+use super::pdos::MOST;
+use super::{names, numbered, objects};
+use crate::diagnostic::faults;
+use crate::model::ids::{self, Siblings};
+use crate::model::{Address, Entry, Mapped, Object};
+use crate::raw::RawMapped;
+use crate::source::{Location, Origin, keys};
+
+/// What a sync manager can carry: its length is a number of bytes in 16 bits.
+const MAX_BITS: u32 = u16::MAX as u32 * 8;
+
+/// What is mapped, each entry behind the one before.
+pub(super) fn mapped(
+    context: &mut Context<'_>,
+    raw: &[RawMapped],
+    origin: &Origin,
+    path: &str,
+    axis: Option<u8>,
+    objects: &[Object],
+) -> Vec<Mapped> {
+    let mut offset = 0;
+    let mut ids = Siblings::default();
+    let mut entries = Vec::new();
+    let places = raw.iter().enumerate().map(|(i, entry)| (origin.value(&format!("{path}.{i}")), entry));
+    let all: Vec<_> =
+        places.flat_map(|(at, entry)| span(context, entry, objects).map(move |entry| (at, entry))).collect();
+    for (i, (at, entry)) in all.iter().enumerate() {
+        let at = *at;
+        if i == MOST {
+            let message = format!("{} entries do not fit a PDO", all.len());
+            context.fault(&faults::UNFIT_VALUE, message, at, &format!("a mapping object holds {MOST}"));
+            break;
+        }
+        if let Some(found) = one(context, entry, at, axis, objects) {
+            let mapped = Mapped { offset, id: ids.claim(&found.id), ..found };
+            offset += mapped.bits;
+            entries.push(mapped);
+            if offset > MAX_BITS {
+                let message = format!("{} bits and more do not fit a PDO", offset);
+                context.fault(&faults::UNFIT_VALUE, message, at, "too much with what stands before");
+                break;
+            }
+        }
+    }
+    entries
+}
+
+fn one(
+    context: &mut Context<'_>,
+    raw: &RawMapped,
+    at: Location,
+    axis: Option<u8>,
+    objects: &[Object],
+) -> Option<Mapped> {
+    let padding = Mapped {
+        address: None,
+        name: raw.name.clone().unwrap_or_else(|| "Padding".to_owned()),
+        id: "padding".to_owned(),
+        offset: 0,
+        bits: raw.bits.unwrap_or(0).into(),
+        data_type: None,
+        at,
+    };
+    let Some(text) = &raw.entry else { return Some(padding) };
+    let address = context.names.find(text).ok().map(|address| context.on_axis(address, axis));
+    let entry = address.and_then(|address| find(objects, address));
+    if let Some((object, _)) = entry.filter(|(object, _)| object.entries.len() > 1)
+        && context.names.whole(text).is_some()
+    {
+        if axis.is_none_or(|axis| axis == 0) {
+            context.several_entries(text, object, at);
+        }
+        return None;
+    }
+    match (entry, absent(context, text, axis), raw.bits) {
+        (Some((object, entry)), ..) => {
+            let single = object.entries.len() == 1;
+            let name = if single { &object.name } else { &entry.name };
+            let id = if single { object.id.clone() } else { format!("{}-{}", object.id, entry.id) };
+            Some(Mapped {
+                address,
+                name: raw.name.clone().unwrap_or_else(|| name.clone()),
+                id,
+                bits: raw.bits.map_or(entry.data_type.bits(), u32::from),
+                data_type: Some(entry.data_type),
+                ..padding
+            })
+        }
+        (None, Some(address), Some(_)) => {
+            let name = raw.name.clone().unwrap_or_else(|| address.to_string());
+            Some(Mapped { address: Some(address), id: ids::id(&name), name, ..padding })
+        }
+        _ => {
+            // Once is enough: what is not there on the first axis is not there on the others.
+            if let Some(address) = context.address(text, at)
+                && axis.is_none_or(|axis| axis == 0)
+                && let Some(object) = objects::at(objects, address.index)
+            {
+                context.no_entry(object, address, at);
+            }
+            None
+        }
+    }
+}
+
+/// What a range of entries stands for, `"0x2003:01..=10"`: each of them. Subindices are hexadecimal as in other references;
+/// a range that the object has only if it is written as the keys of its `entries` is meant like these.
+fn span<'r>(
+    context: &Context<'_>,
+    raw: &'r RawMapped,
+    objects: &[Object],
+) -> impl Iterator<Item = Cow<'r, RawMapped>> + use<'r> {
+    let range = raw.entry.as_deref().and_then(|text| {
+        let (object, range) = text.split_once(':').filter(|(_, range)| range.contains("..="))?;
+        let index = context.names.whole(object)?;
+        let last = objects::at(objects, index).map_or(u8::MAX, Object::highest_subindex);
+        let (first, end) = range.split_once("..=")?;
+        let hexadecimal =
+            names::subindex(first).zip(names::subindex(end)).filter(|(first, end)| first <= end);
+        let as_key = keys::range::<u8>(range).map(|range| (*range.start(), *range.end()));
+        let fits = |range: &(u8, u8)| range.1 <= last;
+        let (first, end) = hexadecimal.filter(fits).or(as_key.filter(fits)).or(hexadecimal)?;
+        Some((object.to_owned(), first..=end))
+    });
+    let each = range.map(|(object, range)| {
+        range.map(move |subindex| {
+            let entry = Some(format!("{object}:{subindex:02X}"));
+            let name = raw.name.as_ref().map(|name| numbered::name(name, subindex));
+            Cow::Owned(RawMapped { entry, name, bits: raw.bits })
+        })
+    });
+    let alone = each.is_none().then_some(Cow::Borrowed(raw));
+    each.into_iter().flatten().chain(alone)
+}
+
+fn find(objects: &[Object], address: Address) -> Option<(&Object, &Entry)> {
+    let object = objects::at(objects, address.index)?;
+    object.entry(address.subindex).map(|entry| (object, entry))
+}
+
+/// The address of something that a manual maps although its dictionary does not have it.
+fn absent(context: &Context<'_>, text: &str, axis: Option<u8>) -> Option<Address> {
+    let (index, subindex) = text.split_once(':').unwrap_or((text, "0"));
+    let index = names::index(index)?;
+    let subindex = names::subindex(subindex)?;
+    Some(context.on_axis(Address { index, subindex }, axis))
+}
