@@ -9,6 +9,8 @@ pub mod diagnostic;
 pub mod emit;
 #[cfg(feature = "cli")]
 pub mod explain;
+#[cfg(feature = "import")]
+pub mod import;
 pub mod lint;
 pub mod model;
 mod profiles;

@@ -8,6 +8,7 @@ mod check;
 mod draft;
 mod explain;
 mod fix;
+mod import;
 mod levels;
 mod outcome;
 mod paths;
@@ -42,6 +43,7 @@ enum Command {
     Build(build::Build),
     Check(check::Check),
     Explain(explain::Explain),
+    Import(import::Import),
     Rules(rules::Rules),
 }
 
@@ -51,7 +53,8 @@ Examples:
   devc build devices/c887         make those of one
   devc check devices/c887         only say what is wrong with it
   devc explain unknown-key        what a message means, with an example
-  devc explain 0x6064             what the profiles say of an index, a code or a name";
+  devc explain 0x6064             what the profiles say of an index, a code or a name
+  devc import drive.xml           make a description of an ESI file";
 
 const LONG_EXAMPLES: &str = "\
 Examples:
@@ -65,6 +68,9 @@ Examples:
                                   start from what is known today, then leave out the second option
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name
+  devc import drive.xml           make a description of an ESI file
+  devc import io.xml --device EL1008 --out devices/el1008
+                                  of one device of several, into a folder
 
 Exit codes:
   0  all is well; there may be warnings
@@ -79,6 +85,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Build(build) => build.run(&report),
         Command::Check(check) => check.run(&report),
         Command::Explain(explain) => explain.run(&report),
+        Command::Import(import) => import.run(&report),
         Command::Rules(rules) => rules.run(&report),
     };
     outcome.unwrap_or_else(|failure| report.failure(&failure)).into()

@@ -1,0 +1,61 @@
+//! Which device of a file is meant.
+
+use super::Refusal;
+use super::read::Head;
+
+/// What a user says of the device.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Choice {
+    /// Its number in the file, counted from 1, or its type or name.
+    pub device: Option<String>,
+    /// Its revision; the newest if absent.
+    pub revision: Option<u32>,
+}
+
+impl Choice {
+    /// The place of the device in the file.
+    pub(super) fn of(&self, heads: &[Head]) -> Result<usize, Refusal> {
+        let mut left: Vec<(usize, &Head)> = heads.iter().enumerate().collect();
+        if let Some(wanted) = &self.device {
+            left = named(&left, wanted);
+        }
+        if let Some(revision) = self.revision {
+            left.retain(|(_, head)| head.revision == revision);
+        }
+        let refuse = |why: &str| {
+            let choices = heads.iter().enumerate().map(|(place, head)| line(place, head));
+            Refusal { place: None, why: why.to_owned(), choices: choices.collect() }
+        };
+        let newest = left.iter().max_by_key(|(place, head)| (head.revision, std::cmp::Reverse(*place)));
+        let Some((place, head)) = newest else {
+            return Err(refuse(if heads.is_empty() { "it has no device" } else { "it has no such device" }));
+        };
+        let one = left.iter().all(|(_, other)| is_same(other, head));
+        if one { Ok(*place) } else { Err(refuse("it has several devices")) }
+    }
+}
+
+/// Whether two are versions of one device.
+fn is_same(one: &Head, other: &Head) -> bool {
+    one.product_code == other.product_code && one.type_name == other.type_name
+}
+
+/// Those of a number, else those of a type or name, else those whose type or name begins so.
+fn named<'h>(heads: &[(usize, &'h Head)], wanted: &str) -> Vec<(usize, &'h Head)> {
+    let number = wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+    if let Some(head) = number.and_then(|number| heads.get(number)) {
+        return vec![*head];
+    }
+    let find = |fits: &dyn Fn(&str) -> bool| -> Vec<(usize, &'h Head)> {
+        heads.iter().copied().filter(|(_, head)| fits(&head.type_name) || fits(&head.name)).collect()
+    };
+    let lower = wanted.to_lowercase();
+    let exact = find(&|name| name.to_lowercase() == lower);
+    if exact.is_empty() { find(&|name| name.to_lowercase().starts_with(&lower)) } else { exact }
+}
+
+fn line(place: usize, head: &Head) -> String {
+    let code = head.product_code.unwrap_or(0);
+    let named = if head.name == head.type_name { String::new() } else { format!(", {}", head.name) };
+    format!("{}: {}{named}, product 0x{code:08X}, revision 0x{:08X}", place + 1, head.type_name, head.revision)
+}

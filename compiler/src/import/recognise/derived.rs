@@ -1,0 +1,134 @@
+//! Objects that devc makes itself: mapping and assignment objects and 0x1C00. Only what it would make otherwise is said.
+
+use super::super::read::{Object, Pdo, Value, Written, number};
+use super::super::report::Report;
+use super::super::toml::{Keys, Toml, set};
+use super::draft::Block;
+use super::words;
+use crate::model::Access;
+
+/// What the objects follow from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Basis<'b> {
+    pub(super) rx: &'b [&'b Pdo],
+    pub(super) tx: &'b [&'b Pdo],
+    /// Whether the master may write assignments and mappings.
+    pub(super) assigns: bool,
+    pub(super) maps: bool,
+    /// Which sync managers there are: for outputs, for inputs.
+    pub(super) managers: [bool; 2],
+}
+
+/// What devc makes of an object.
+struct Made<'b> {
+    access: Access,
+    name: Option<&'b str>,
+    /// The values of its entries; none if the file's are not compared.
+    values: Vec<u64>,
+}
+
+/// Whether devc makes an object of this index.
+pub(super) fn is_derived(index: u16) -> bool {
+    crate::model::Index(index).is_derived()
+}
+
+/// How many PDOs an assignment object has room for.
+pub(super) fn slots(objects: &[&Object], index: u16) -> usize {
+    let object = objects.iter().find(|object| object.index == index);
+    object.map_or(0, |object| object.values.iter().filter(|value| value.subindex > 0).count())
+}
+
+/// What is to be said of a derived object, if it is not as devc makes it.
+pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> Option<Block> {
+    let what = format!("0x{:04X}", object.index);
+    let facts = 3 + object.values.iter().map(facts).sum::<usize>();
+    let Some(made) = made(object, basis) else {
+        report.lose(object.at, facts, format!("object {what}"), "it belongs to a PDO or a sync manager that is not described");
+        return None;
+    };
+    compare(object, &made, &what, report);
+    let keys = access(object, made.access);
+    let mentioned = matches!(object.index, 0x1C10 | 0x1C11);
+    let differs = !keys.is_empty() || mentioned;
+    differs.then(|| Block::new("objects", Some(what), keys))
+}
+
+fn facts(value: &Value) -> usize {
+    2 + usize::from(value.default.is_some()) + usize::from(value.flags.access.is_some())
+}
+
+fn made<'b>(object: &Object, basis: &Basis<'b>) -> Option<Made<'b>> {
+    let access = |free| if free { Access::Rw } else { Access::Ro };
+    let assigned = |pdos: &[&Pdo]| pdos.iter().filter(|pdo| pdo.sm.is_some()).map(|pdo| pdo.index.into()).collect();
+    let [outputs, inputs] = basis.managers;
+    match object.index {
+        0x1C00 => Some(Made { access: Access::Ro, name: None, values: Vec::new() }),
+        0x1C10 | 0x1C11 => Some(Made { access: Access::Ro, name: None, values: Vec::new() }),
+        0x1C12 => outputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.rx) }),
+        0x1C13 => inputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.tx) }),
+        index => {
+            let pdo = basis.rx.iter().chain(basis.tx).find(|pdo| pdo.index == index)?;
+            let word = |entry: &super::super::read::PdoEntry| {
+                let place = u64::from(entry.index) << 16 | u64::from(entry.subindex) << 8;
+                if entry.index == 0 { u64::from(entry.bits & 0xFF) } else { place | u64::from(entry.bits & 0xFF) }
+            };
+            let values = pdo.entries.iter().map(word).collect();
+            Some(Made { access: access(!pdo.fixed && basis.maps), name: pdo.name.as_deref(), values })
+        }
+    }
+}
+
+/// Reports what of the file is not as it follows from its PDOs.
+fn compare(object: &Object, made: &Made<'_>, what: &str, report: &mut Report) {
+    if let (Some(name), Some(made)) = (&object.name, made.name)
+        && !words::alike(name, made)
+    {
+        report.lose(object.at, 1, "the name of a mapping object", "it has that of its PDO");
+    }
+    let entries: Vec<&Value> = object.values.iter().filter(|value| value.subindex > 0).collect();
+    if matches!(object.index, 0x1C00 | 0x1C10 | 0x1C11) {
+        return;
+    }
+    for (place, entry) in entries.iter().enumerate() {
+        let stated = entry.default.as_ref().and_then(|datum| integer(&datum.written));
+        match (made.values.get(place), stated) {
+            (None, _) if !matches!(object.index, 0x1C12 | 0x1C13) => {
+                report.lose(entry.at, facts(entry), format!("entries of {what}"), "its PDO maps fewer");
+            }
+            (Some(value), Some(stated)) if stated != *value => {
+                let why = format!("0x{stated:X} is not what the PDO says, which is 0x{value:X}");
+                report.lose(entry.at, 1, format!("the default of {what}:{:02X}", entry.subindex), why);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn integer(written: &Written) -> Option<u64> {
+    match written {
+        Written::Data(bytes) if bytes.len() <= 8 => {
+            Some(bytes.iter().rev().fold(0, |value, byte| value << 8 | u64::from(*byte)))
+        }
+        Written::Number(text) => number(text),
+        _ => None,
+    }
+}
+
+/// Who may write it, where that is not what devc would make of it.
+fn access(object: &Object, made: Access) -> Keys {
+    let of = |value: &Value| value.flags.access.as_deref().and_then(words::access_of).unwrap_or(Access::Ro);
+    let count = object.values.iter().find(|value| value.subindex == 0).map(of);
+    let entries = object.values.iter().find(|value| value.subindex > 0).map(of);
+    let all = entries.or(count).unwrap_or(made);
+    let mut keys = Keys::new();
+    let is_profile = object.index >= 0x1C00;
+    let own = count.filter(|count| *count != all);
+    if all != made || is_profile && own.is_some() {
+        set(&mut keys, "access", Toml::text(words::access(all)));
+    }
+    if let Some(count) = own {
+        let table = vec![("access".to_owned(), Toml::text(words::access(count)))];
+        set(&mut keys, "entries", Toml::Table(vec![("0".to_owned(), Toml::Table(table))]));
+    }
+    keys
+}

@@ -1,0 +1,126 @@
+//! What an import kept, lost and guessed, each with its place in the file.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use super::read::At;
+
+/// What came of what a file says.
+#[derive(Debug, Default)]
+pub struct Report {
+    /// The facts that the file states of what was imported: attributes and texts.
+    pub facts: usize,
+    /// What is worth telling, in the order of the file.
+    pub notes: Vec<Note>,
+}
+
+/// Something that is not in the description as it is in the file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Note {
+    /// Whether it is lost or guessed.
+    pub kind: NoteKind,
+    /// Where it stands in the file: the line and the column of its element.
+    pub place: (usize, usize),
+    /// What it is: a place in the tree of the file, such as `RxPdo/@Su`, or a thing by its index.
+    pub what: String,
+    /// Why, or what was taken instead.
+    pub why: String,
+    /// How many facts are lost by it.
+    pub facts: usize,
+    pub(super) at: At,
+}
+
+/// What became of a fact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NoteKind {
+    /// The description does not say it.
+    Lost,
+    /// The description says what the file leaves open or says otherwise.
+    Guessed,
+}
+
+impl NoteKind {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Lost => "lost",
+            Self::Guessed => "guessed",
+        }
+    }
+}
+
+impl Report {
+    pub(super) fn lose(&mut self, at: At, facts: usize, what: impl Into<String>, why: impl Into<String>) {
+        self.note(NoteKind::Lost, at, facts, what.into(), why.into());
+    }
+
+    pub(super) fn guess(&mut self, at: At, what: impl Into<String>, why: impl Into<String>) {
+        self.note(NoteKind::Guessed, at, 0, what.into(), why.into());
+    }
+
+    fn note(&mut self, kind: NoteKind, at: At, facts: usize, what: String, why: String) {
+        self.notes.push(Note { kind, place: (0, 0), what, why, facts, at });
+    }
+
+    /// How many facts are lost.
+    pub fn lost(&self) -> usize {
+        self.notes.iter().map(|note| note.facts).sum::<usize>().min(self.facts)
+    }
+
+    /// Puts the notes in order and finds their lines.
+    pub(super) fn finish(&mut self, text: &str) {
+        self.notes.sort_by_key(|note| note.at);
+        let (mut line, mut start, mut done) = (1, 0, 0);
+        for note in &mut self.notes {
+            let passed = text.get(done..note.at.0).unwrap_or_default();
+            line += passed.matches('\n').count();
+            start = passed.rfind('\n').map_or(start, |place| done + place + 1);
+            done = done.max(note.at.0);
+            let column = text.get(start..note.at.0).map_or(1, |before| before.chars().count() + 1);
+            note.place = (line, column);
+        }
+    }
+
+    /// For people: what is alike in one line, with the first place.
+    pub fn text(&self, file: &str) -> String {
+        let mut alike: BTreeMap<(NoteKind, &str, &str), (usize, usize, &Note)> = BTreeMap::new();
+        for note in &self.notes {
+            let known = alike.entry((note.kind, &note.what, &note.why)).or_insert((0, 0, note));
+            known.0 += 1;
+            known.1 += note.facts;
+        }
+        let kept = self.facts - self.lost();
+        let mut text = format!("{file}: {kept} of {} facts kept\n", self.facts);
+        for ((kind, what, why), (times, _, first)) in alike {
+            let (line, column) = first.place;
+            let times = if times > 1 { format!(" ({times} times)") } else { String::new() };
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  {}: {what}{times}, {file}:{line}:{column}: {why}", kind.name());
+        }
+        text
+    }
+
+    /// For tools.
+    #[cfg(feature = "json")]
+    pub fn json(&self, file: &str) -> String {
+        let notes = self.notes.iter().map(|note| {
+            serde_json::json!({
+                "kind": note.kind.name(),
+                "line": note.place.0,
+                "column": note.place.1,
+                "what": note.what,
+                "why": note.why,
+                "facts": note.facts,
+            })
+        });
+        let lost = self.lost();
+        let report = serde_json::json!({
+            "file": file,
+            "facts": self.facts,
+            "kept": self.facts - lost,
+            "lost": lost,
+            "notes": notes.collect::<Vec<_>>(),
+        });
+        format!("{report:#}\n")
+    }
+}
