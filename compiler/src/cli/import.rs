@@ -60,7 +60,8 @@ impl Import {
         let file = self.file.display().to_string();
         report.message(imported.report.text(&file).trim_end());
         if let Some(path) = &self.report {
-            fs::write(path, imported.report.json(&file)).map_err(|error| Failure::at("write", path, &error))?;
+            fs::write(path, imported.report.json(&file))
+                .map_err(|error| Failure::at("write", path, &error))?;
         }
         let names: Vec<&str> = imported.files.keys().map(String::as_str).collect();
         report.line(&format!("{}: wrote {}", out.display(), names.join(", ")))?;
@@ -69,11 +70,13 @@ impl Import {
 
     fn refused(&self, refusal: &devc::import::Refusal) -> Failure {
         let place = refusal.place.map(|(line, column)| format!(":{line}:{column}")).unwrap_or_default();
-        let failure = Failure::new(format!("cannot import `{}{place}`: {}", self.file.display(), refusal.why));
+        let failure =
+            Failure::new(format!("cannot import `{}{place}`: {}", self.file.display(), refusal.why));
         if refusal.choices.is_empty() {
             return failure;
         }
-        failure.help(format!("choose with `--device` and `--revision`:\n    {}", refusal.choices.join("\n    ")))
+        failure
+            .help(format!("choose with `--device` and `--revision`:\n    {}", refusal.choices.join("\n    ")))
     }
 
     /// Writes all files, or none if one of them is there already.

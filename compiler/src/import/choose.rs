@@ -57,5 +57,10 @@ fn named<'h>(heads: &[(usize, &'h Head)], wanted: &str) -> Vec<(usize, &'h Head)
 fn line(place: usize, head: &Head) -> String {
     let code = head.product_code.unwrap_or(0);
     let named = if head.name == head.type_name { String::new() } else { format!(", {}", head.name) };
-    format!("{}: {}{named}, product 0x{code:08X}, revision 0x{:08X}", place + 1, head.type_name, head.revision)
+    format!(
+        "{}: {}{named}, product 0x{code:08X}, revision 0x{:08X}",
+        place + 1,
+        head.type_name,
+        head.revision
+    )
 }

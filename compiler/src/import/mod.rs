@@ -48,7 +48,11 @@ pub struct Refusal {
 /// If the file is no ESI file, or has no such device, or several to choose from.
 pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Refusal> {
     let text = read::text(bytes).map_err(|why| Refusal { place: None, why, choices: Vec::new() })?;
-    let root = read::root(&text).map_err(|(at, why)| Refusal { place: Some(place(&text, at)), why, choices: Vec::new() })?;
+    let root = read::root(&text).map_err(|(at, why)| Refusal {
+        place: Some(place(&text, at)),
+        why,
+        choices: Vec::new(),
+    })?;
     let elements = read::devices(&root);
     let heads: Vec<_> = elements.iter().map(|element| read::head(element)).collect();
     let chosen = choice.of(&heads)?;
@@ -58,10 +62,7 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
     let device = read::device(element);
     let mut report = Report { facts: element.facts(), notes: Vec::new() };
     let draft = recognise::device(&esi, &device, &mut report);
-    for unread in element.unread() {
-        let value = if unread.value.is_empty() { String::new() } else { format!("`{}`: ", shortened(&unread.value)) };
-        report.lose(unread.at, unread.facts, unread.path, format!("{value}descriptions have no place for it"));
-    }
+    report.unread(element.unread());
     report.finish(&text);
     let id = crate::model::ids::id(&device.head.name);
     let files = checked(&draft, name)?;
@@ -74,11 +75,6 @@ fn place(text: &str, at: read::At) -> (usize, usize) {
     (before.matches('\n').count() + 1, line.chars().count() + 1)
 }
 
-fn shortened(text: &str) -> String {
-    const MOST: usize = 40;
-    if text.chars().count() <= MOST { text.to_owned() } else { text.chars().take(MOST).chain(['…']).collect() }
-}
-
 /// The files, with the rules named that the vendor's data break. A description that devc refuses is not given out.
 fn checked(draft: &recognise::Draft, name: &str) -> Result<BTreeMap<String, String>, Refusal> {
     let files = write::files(draft, name, &[]);
@@ -86,7 +82,11 @@ fn checked(draft: &recognise::Draft, name: &str) -> Result<BTreeMap<String, Stri
     let errors = || compilation.diagnostics.iter().filter(|it| it.level == Level::Error);
     if let Some(fault) = errors().find(|it| it.rule.fixed) {
         let at = fault.at().and_then(|at| compilation.sources.slice(at)).unwrap_or_default();
-        let why = format!("what it says cannot be a description: {}, at `{}`", fault.message, shortened(at));
+        let why = format!(
+            "what it says cannot be a description: {}, at `{}`",
+            fault.message,
+            report::shortened(at)
+        );
         return Err(Refusal { place: None, why, choices: Vec::new() });
     }
     let mut broken: Vec<String> = errors().map(|it| it.rule.name.to_owned()).collect();
@@ -97,6 +97,8 @@ fn checked(draft: &recognise::Draft, name: &str) -> Result<BTreeMap<String, Stri
 
 fn compiled(files: &BTreeMap<String, String>) -> crate::Compilation {
     let folder = Path::new("device");
-    let memory = files.iter().fold(Memory::new(), |memory, (name, text)| memory.with(folder.join(name), text.as_str()));
+    let memory = files
+        .iter()
+        .fold(Memory::new(), |memory, (name, text)| memory.with(folder.join(name), text.as_str()));
     crate::compile(&memory, folder)
 }

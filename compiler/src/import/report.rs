@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::read::At;
+use super::read::{At, Unread};
 
 /// What came of what a file says.
 #[derive(Debug, Default)]
@@ -23,6 +23,8 @@ pub struct Note {
     pub place: (usize, usize),
     /// What it is: a place in the tree of the file, such as `RxPdo/@Su`, or a thing by its index.
     pub what: String,
+    /// What the file says there, where that is short.
+    pub says: String,
     /// Why, or what was taken instead.
     pub why: String,
     /// How many facts are lost by it.
@@ -59,7 +61,23 @@ impl Report {
     }
 
     fn note(&mut self, kind: NoteKind, at: At, facts: usize, what: String, why: String) {
-        self.notes.push(Note { kind, place: (0, 0), what, why, facts, at });
+        self.notes.push(Note { kind, place: (0, 0), what, says: String::new(), why, facts, at });
+    }
+
+    /// Reports what nobody read.
+    pub(super) fn unread(&mut self, unread: Vec<Unread>) {
+        for Unread { path, at, value, facts } in unread {
+            let (kind, why) = (NoteKind::Lost, "descriptions have no place for it".to_owned());
+            self.notes.push(Note {
+                kind,
+                place: (0, 0),
+                what: path,
+                says: shortened(&value),
+                why,
+                facts,
+                at,
+            });
+        }
     }
 
     /// How many facts are lost.
@@ -93,9 +111,13 @@ impl Report {
         let mut text = format!("{file}: {kept} of {} facts kept\n", self.facts);
         for ((kind, what, why), (times, _, first)) in alike {
             let (line, column) = first.place;
-            let times = if times > 1 { format!(" ({times} times)") } else { String::new() };
+            let times = match times {
+                1 if first.says.is_empty() => String::new(),
+                1 => format!(", `{}`", first.says),
+                _ => format!(", {times} times"),
+            };
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "  {}: {what}{times}, {file}:{line}:{column}: {why}", kind.name());
+            let _ = writeln!(text, "  {}: {what}{times}, at {file}:{line}:{column}: {why}", kind.name());
         }
         text
     }
@@ -109,6 +131,7 @@ impl Report {
                 "line": note.place.0,
                 "column": note.place.1,
                 "what": note.what,
+                "says": note.says,
                 "why": note.why,
                 "facts": note.facts,
             })
@@ -122,5 +145,15 @@ impl Report {
             "notes": notes.collect::<Vec<_>>(),
         });
         format!("{report:#}\n")
+    }
+}
+
+/// The beginning of a text that is too long for a line.
+pub(super) fn shortened(text: &str) -> String {
+    const MOST: usize = 40;
+    if text.chars().count() <= MOST {
+        text.to_owned()
+    } else {
+        text.chars().take(MOST).chain(['…']).collect()
     }
 }

@@ -13,7 +13,8 @@ fn files() -> Vec<PathBuf> {
     let usual = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/esi-corpus");
     let folder = std::env::var_os("DEVC_CORPUS").map_or(usual, PathBuf::from);
     let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut files: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|it| it == "xml")).collect();
+    let mut files: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|it| it == "xml")).collect();
     files.sort();
     files
 }
@@ -38,14 +39,17 @@ fn real_files_are_imported_or_refused_with_a_reason() {
         };
         let count = facts::devices(&document).len();
         if count == 0 {
-            let refusal = devc::import::import(&bytes, &file, &Default::default()).expect_err("nothing to import");
+            let refusal =
+                devc::import::import(&bytes, &file, &Default::default()).expect_err("nothing to import");
             println!("{file}: refused: {}", refusal.why);
             continue;
         }
         for number in 1..=count.min(most()) {
             let start = Instant::now();
             let made = trip(&bytes, number);
-            let Ok(made) = made.map_err(|why| faults.push(format!("{file}, device {number}: {why}"))) else { continue };
+            let Ok(made) = made.map_err(|why| faults.push(format!("{file}, device {number}: {why}"))) else {
+                continue;
+            };
             let lines: usize = made.imported.files.values().map(|text| text.lines().count()).sum();
             let objects = made.imported.files.values().map(|text| text.matches("0x").count()).sum::<usize>();
             let (facts, lost) = (made.facts, made.changed.len());
@@ -57,13 +61,25 @@ fn real_files_are_imported_or_refused_with_a_reason() {
                 made.warnings,
                 start.elapsed()
             );
-            total = (total.0 + 1, total.1 + facts, total.2 + lost, total.3 + made.silent.len(), total.4 + lines);
+            total =
+                (total.0 + 1, total.1 + facts, total.2 + lost, total.3 + made.silent.len(), total.4 + lines);
             for (key, was, is) in &made.changed {
                 let parts: Vec<&str> = key.split('/').collect();
-                let kind = format!("{}/{}", parts[0], parts[parts.len() - 1].trim_start_matches(|it: char| it.is_ascii_digit()));
+                let kind = format!(
+                    "{}/{}",
+                    parts[0],
+                    parts[parts.len() - 1].trim_start_matches(|it: char| it.is_ascii_digit())
+                );
                 *kinds.entry(kind).or_default() += 1;
                 if std::env::var_os("DEVC_CORPUS_SAY").is_some() {
-                    println!("    {key}: {was} -> {is:?}{}", if made.silent.iter().any(|it| it.starts_with(&format!("{key}:"))) { " SILENT" } else { "" });
+                    println!(
+                        "    {key}: {was} -> {is:?}{}",
+                        if made.silent.iter().any(|it| it.starts_with(&format!("{key}:"))) {
+                            " SILENT"
+                        } else {
+                            ""
+                        }
+                    );
                 }
             }
         }

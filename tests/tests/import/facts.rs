@@ -84,7 +84,11 @@ impl Collector {
 fn sync_managers(device: Node<'_, '_>, facts: &mut Collector) {
     for (place, node) in all(device, "Sm").enumerate() {
         let at = vec![lines(node)];
-        facts.text(&format!("sm/{place}/role"), Some(content(node).to_lowercase()).filter(|it| !it.is_empty()), &at);
+        facts.text(
+            &format!("sm/{place}/role"),
+            Some(content(node).to_lowercase()).filter(|it| !it.is_empty()),
+            &at,
+        );
         for attribute in ["StartAddress", "ControlByte", "MaxSize", "DefaultSize"] {
             let value = node.attribute(attribute).map(str::to_owned);
             facts.number(&format!("sm/{place}/{attribute}"), value, &at);
@@ -120,7 +124,11 @@ fn pdo(node: Node<'_, '_>, way: &str, facts: &mut Collector) {
         if index > 0 {
             facts.text(&format!("{key}/name"), name(entry, "Name"), &at);
             let kind = text_in(entry, "DataType").filter(|it| !it.is_empty());
-            facts.text(&format!("{key}/type"), kind.map(|it| super::objects::canonical(&it, Some(bits))), &at);
+            facts.text(
+                &format!("{key}/type"),
+                kind.map(|it| super::objects::canonical(&it, Some(bits))),
+                &at,
+            );
         }
     }
 }
@@ -162,7 +170,10 @@ fn clocks(device: Node<'_, '_>, facts: &mut Collector) {
     }
 }
 
-pub(crate) fn all<'a, 'd: 'a>(node: Node<'a, 'd>, tag: &'a str) -> impl Iterator<Item = Node<'a, 'd>> + use<'a, 'd> {
+pub(crate) fn all<'a, 'd: 'a>(
+    node: Node<'a, 'd>,
+    tag: &'a str,
+) -> impl Iterator<Item = Node<'a, 'd>> + use<'a, 'd> {
     node.children().filter(move |child| child.has_tag_name(tag))
 }
 
@@ -191,7 +202,10 @@ pub(crate) fn name(node: Node<'_, '_>, tag: &str) -> Option<String> {
 pub(crate) fn number(text: &str) -> Option<i64> {
     let text = text.trim().to_lowercase();
     let (sign, digits) = text.strip_prefix('-').map_or((1, text.as_str()), |rest| (-1, rest));
-    let hex = digits.strip_prefix("#x0x").or_else(|| digits.strip_prefix("#x")).or_else(|| digits.strip_prefix("0x"));
+    let hex = digits
+        .strip_prefix("#x0x")
+        .or_else(|| digits.strip_prefix("#x"))
+        .or_else(|| digits.strip_prefix("0x"));
     let value = hex.map_or_else(|| digits.parse().ok(), |hex| i64::from_str_radix(hex, 16).ok());
     value.map(|value| sign * value)
 }

@@ -33,7 +33,15 @@ fn object(node: Node<'_, '_>, types: &Types<'_, '_>, facts: &mut Collector) {
     let items: Vec<Node<'_, '_>> = declared.into_iter().flat_map(|it| all(it, "SubItem")).collect();
     if items.is_empty() {
         let bits = text_in(node, "BitSize");
-        return value(&format!("object/{index:04X}:00"), (&type_name, bits), flags, find(node, "Info"), types, &at, facts);
+        return value(
+            &format!("object/{index:04X}:00"),
+            (&type_name, bits),
+            flags,
+            find(node, "Info"),
+            types,
+            &at,
+            facts,
+        );
     }
     let mut places: Vec<(i64, Option<String>, String, Option<String>, Option<Node<'_, '_>>)> = Vec::new();
     for item in items {
@@ -102,14 +110,16 @@ fn value(
     if !count && !key.ends_with(":00") {
         facts.text(&format!("{key}/category"), flag("Category").map(|it| it.to_lowercase()), at);
     }
-    let restriction = flags.and_then(|it| find(it, "Access")).and_then(|it| it.attribute("WriteRestrictions"));
+    let restriction =
+        flags.and_then(|it| find(it, "Access")).and_then(|it| it.attribute("WriteRestrictions"));
     facts.text(&format!("{key}/written"), restriction.map(str::to_lowercase), at);
     for what in ["Default", "Min", "Max"] {
         let bytes = info.and_then(|info| bytes(info, what, bits));
         facts.text(&format!("{key}/{}", what.to_lowercase()), bytes, at);
     }
     let choices = declared.into_iter().flat_map(|it| all(it, "EnumInfo"));
-    let choices: Vec<_> = choices.filter_map(|it| Some((number(&text_in(it, "Enum")?)?, name(it, "Text")?))).collect();
+    let choices: Vec<_> =
+        choices.filter_map(|it| Some((number(&text_in(it, "Enum")?)?, name(it, "Text")?))).collect();
     if choices.len() > 1 {
         for (number, name) in choices {
             facts.text(&format!("{key}/choice/{number}"), Some(name), at);

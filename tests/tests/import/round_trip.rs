@@ -38,7 +38,8 @@ pub(crate) fn trip(bytes: &[u8], number: usize) -> Result<Trip, String> {
 /// The ESI that devc makes of the files, and how many warnings it has about them.
 pub(crate) fn compiled(imported: &Imported) -> Result<(String, usize), String> {
     let files = imported.files.iter();
-    let memory = files.fold(Memory::new(), |memory, (name, text)| memory.with(format!("drive/{name}"), text.as_str()));
+    let memory =
+        files.fold(Memory::new(), |memory, (name, text)| memory.with(format!("drive/{name}"), text.as_str()));
     let compilation = devc::compile(&memory, "drive".as_ref());
     let messages: Vec<&String> = compilation.diagnostics.iter().map(|it| &it.message).collect();
     let warnings = messages.len();

@@ -1,6 +1,6 @@
 //! A device: identity, mailbox, clocks, EEPROM.
 
-use super::element::Element;
+use super::element::{At, Element};
 use super::esi::{Device, Eeprom, Head, InitCmd, Mailbox, OpMode, Signal};
 use super::number::{bytes, number, truth};
 use super::{dictionary, process_data, words};
@@ -22,10 +22,15 @@ pub(super) fn head(device: &Element<'_>) -> Head {
 pub(super) fn device(device: &Element<'_>) -> Device {
     let profiles: Vec<&Element<'_>> = device.all("Profile").collect();
     let profile = profiles.iter().find_map(|profile| profile_number(profile));
-    let add_info = profiles.iter().find_map(|profile| {
-        let number = profile.child_as("AddInfo", number)?;
-        Some((number, profile.child("AddInfo")?.at()))
-    });
+    let add_info = profiles
+        .iter()
+        .find_map(|profile| add_info(profile).or_else(|| add_info(profile.child("ChannelInfo")?)));
+    for channel in profiles.iter().flat_map(|profile| profile.all("ChannelInfo")) {
+        // A channel says once more what its profile says.
+        channel.child_as("ProfileNo", |text| number(text).filter(|number| Some(*number) == profile));
+        channel
+            .child_as("AddInfo", |text| number(text).filter(|info| add_info.map(|it| it.0) == Some(*info)));
+    }
     let dictionaries = profiles.iter().flat_map(|profile| profile.all("Dictionary"));
     Device {
         head: head(device),
@@ -33,6 +38,7 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         physics: device.attribute("Physics").map(str::to_owned),
         profile,
         add_info,
+        fmmus: device.all("Fmmu").map(|it| (it.text().to_owned(), it.at())).collect(),
         sync_managers: device.all("Sm").map(process_data::sm).collect(),
         rx_pdos: device.all("RxPdo").filter_map(process_data::pdo).collect(),
         tx_pdos: device.all("TxPdo").filter_map(process_data::pdo).collect(),
@@ -43,9 +49,15 @@ pub(super) fn device(device: &Element<'_>) -> Device {
     }
 }
 
+fn add_info(parent: &Element<'_>) -> Option<(u32, At)> {
+    Some((parent.child_as("AddInfo", number)?, parent.child("AddInfo")?.at()))
+}
+
 /// The number of the profile, which may stand in its channel.
 fn profile_number(profile: &Element<'_>) -> Option<u32> {
-    profile.child_as("ProfileNo", number).or_else(|| profile.child("ChannelInfo")?.child_as("ProfileNo", number))
+    profile
+        .child_as("ProfileNo", number)
+        .or_else(|| profile.child("ChannelInfo")?.child_as("ProfileNo", number))
 }
 
 fn mailbox(element: &Element<'_>) -> Mailbox {

@@ -1,5 +1,6 @@
 //! The object dictionary: objects and their types brought together as values.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use super::element::Element;
@@ -15,6 +16,7 @@ struct DataType<'e, 't> {
     array: Option<(u32, u32)>,
     items: Vec<&'e Element<'t>>,
     choices: Vec<Choice>,
+    used: Cell<bool>,
 }
 
 type Types<'e, 't> = BTreeMap<&'e str, DataType<'e, 't>>;
@@ -31,7 +33,10 @@ pub(super) fn objects(dictionary: &Element<'_>) -> Vec<Object> {
         }
     }
     let objects = dictionary.all("Objects").flat_map(|objects| objects.all("Object"));
-    objects.filter_map(|element| object(element, &types)).collect()
+    let objects = objects.filter_map(|element| object(element, &types)).collect();
+    // A type that no object has says nothing of the device.
+    types.values().filter(|it| !it.used.get()).for_each(|it| it.element.is_idle());
+    objects
 }
 
 fn data_type<'e, 't>(element: &'e Element<'t>) -> DataType<'e, 't> {
@@ -46,6 +51,7 @@ fn data_type<'e, 't>(element: &'e Element<'t>) -> DataType<'e, 't> {
         array,
         items: element.all("SubItem").collect(),
         choices: element.all("EnumInfo").filter_map(choice).collect(),
+        used: Cell::new(false),
     }
 }
 
@@ -78,6 +84,7 @@ fn object(element: &Element<'_>, types: &Types<'_, '_>) -> Option<Object> {
             object.values.push(value);
         }
         Some(composite) => {
+            composite.used.set(true);
             (object.shape, object.values) = members(composite, &own, types);
             infos(&mut object.values, info);
         }
@@ -90,7 +97,7 @@ fn basic(element: &Element<'_>, type_name: &str, bits: Option<u32>, types: &Type
     let mut value = Value { at: element.at(), type_name: type_name.to_owned(), bits, ..Value::default() };
     for _ in 0..MOST_NESTED {
         let Some(declared) = types.get(value.type_name.as_str()) else { break };
-        declared.element.text();
+        declared.used.set(true);
         value.bits = value.bits.or(declared.bits);
         if value.choices.is_empty() {
             value.choices.clone_from(&declared.choices);
@@ -110,7 +117,8 @@ fn members(composite: &DataType<'_, '_>, own: &Flags, types: &Types<'_, '_>) -> 
     for item in &composite.items {
         let type_name = item.child("Type").map(|it| it.text()).unwrap_or_default();
         let bits = item.child_as("BitSize", number);
-        let offset: Option<u32> = item.child_as("BitOffs", number);
+        // How members lie follows from their widths.
+        item.child_as("BitOffs", number::<u32>);
         let flags = own_flags(item).unwrap_or_else(|| own.clone());
         let name = words::name(item, "Name");
         let comment = words::name(item, "Comment");
@@ -119,18 +127,26 @@ fn members(composite: &DataType<'_, '_>, own: &Flags, types: &Types<'_, '_>) -> 
         let Some((array, (first, elements))) = array else {
             let value = basic(item, type_name, bits, types);
             let next = u8::try_from(found.len()).unwrap_or(u8::MAX);
-            found.push(Value { subindex: subindex.unwrap_or(next), name, comment, offset, flags, ..value });
+            found.push(Value { subindex: subindex.unwrap_or(next), name, comment, flags, ..value });
             continue;
         };
         shape = Shape::Array;
+        array.used.set(true);
         let element = basic(item, array.base.unwrap_or_default(), None, types);
         let step = array.bits.unwrap_or(0).checked_div(elements);
         for number in first..first.saturating_add(elements.min(255)) {
             let Ok(subindex) = u8::try_from(number) else { break };
-            let offset = offset.zip(step).map(|(offset, step)| offset.saturating_add((number - first).saturating_mul(step)));
             let (type_name, choices) = (element.type_name.clone(), element.choices.clone());
             let bits = element.bits.or(step);
-            found.push(Value { at: element.at, subindex, type_name, choices, bits, offset, flags: flags.clone(), ..Value::default() });
+            found.push(Value {
+                at: element.at,
+                subindex,
+                type_name,
+                choices,
+                bits,
+                flags: flags.clone(),
+                ..Value::default()
+            });
         }
     }
     (shape, found)
@@ -140,11 +156,8 @@ fn members(composite: &DataType<'_, '_>, own: &Flags, types: &Types<'_, '_>) -> 
 fn infos(found: &mut [Value], info: Option<&Element<'_>>) {
     let items: Vec<&Element<'_>> = info.into_iter().flat_map(|info| info.all("SubItem")).collect();
     let names: Vec<Option<String>> = items.iter().map(|item| words::name(item, "Name")).collect();
-    let known: BTreeMap<String, usize> = found
-        .iter()
-        .enumerate()
-        .filter_map(|(place, value)| Some((value.name.clone()?, place)))
-        .collect();
+    let known: BTreeMap<String, usize> =
+        found.iter().enumerate().filter_map(|(place, value)| Some((value.name.clone()?, place))).collect();
     let named = found.iter().filter(|value| value.name.is_some()).count();
     let by_name = named == found.len()
         && known.len() == found.len()
@@ -166,6 +179,9 @@ fn values(value: &mut Value, info: Option<&Element<'_>>) {
     value.default = datum(info, "Default");
     value.min = datum(info, "Min");
     value.max = datum(info, "Max");
+    if let Some(name) = words::name(info, "DisplayName") {
+        value.display_name = Some(name);
+    }
 }
 
 fn datum(info: &Element<'_>, what: &str) -> Option<Datum> {
@@ -174,7 +190,8 @@ fn datum(info: &Element<'_>, what: &str) -> Option<Datum> {
         let found = info.children().iter().find(|child| child.name() == name);
         found.map(|child| (child, name))
     };
-    let data = find("Data").and_then(|(child, name)| Some((child.at(), Written::Data(info.child_as(&name, bytes)?))));
+    let data = find("Data")
+        .and_then(|(child, name)| Some((child.at(), Written::Data(info.child_as(&name, bytes)?))));
     let text = || find("String").map(|(child, _)| (child.at(), Written::Text(child.text().to_owned())));
     let plain = || find("Value").map(|(child, _)| (child.at(), Written::Number(child.text().to_owned())));
     let (at, written) = data.or_else(text).or_else(plain)?;
@@ -192,7 +209,9 @@ fn own_flags(element: &Element<'_>) -> Option<Flags> {
     let word = |name| flags.child(name).map(|it| it.text().to_owned()).filter(|it| !it.is_empty());
     Some(Flags {
         access: access.map(|access| access.text().to_owned()).filter(|it| !it.is_empty()),
-        write_restrictions: access.and_then(|access| access.attribute("WriteRestrictions")).map(str::to_owned),
+        write_restrictions: access
+            .and_then(|access| access.attribute("WriteRestrictions"))
+            .map(str::to_owned),
         category: word("Category"),
         pdo_mapping: word("PdoMapping"),
     })

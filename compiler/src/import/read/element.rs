@@ -19,6 +19,7 @@ pub(crate) struct Element<'t> {
     pub(super) text: Cow<'t, str>,
     pub(super) children: Vec<Element<'t>>,
     pub(super) read: Cell<bool>,
+    pub(super) idle: Cell<bool>,
 }
 
 #[derive(Debug)]
@@ -97,6 +98,11 @@ impl<'t> Element<'t> {
         &self.children
     }
 
+    /// Says that what is in it says nothing of the device: it counts neither as a fact nor as a loss.
+    pub(super) fn is_idle(&self) {
+        self.idle.set(true);
+    }
+
     /// Whether it has no text; asking is not reading.
     pub(crate) fn is_blank(&self) -> bool {
         self.text.trim().is_empty()
@@ -117,6 +123,9 @@ impl<'t> Element<'t> {
         let mut facts = 0;
         let mut open = vec![self];
         while let Some(element) = open.pop() {
+            if element.idle.get() {
+                continue;
+            }
             facts += element.attributes.len() + usize::from(element.is_leaf());
             open.extend(&element.children);
         }
@@ -140,7 +149,7 @@ impl<'t> Element<'t> {
             let path = format!("{}/@{}", self.name, attribute.name);
             unread.push(Unread { path, at: self.at, value: attribute.value.to_string(), facts: 1 });
         }
-        for child in &self.children {
+        for child in self.children.iter().filter(|child| !child.idle.get()) {
             if child.read.get() {
                 child.gather(unread);
             } else if child.facts() > 0 {

@@ -7,8 +7,6 @@ use super::element::At;
 pub(crate) struct Esi {
     pub(crate) vendor_id: Option<u32>,
     pub(crate) vendor_name: Option<String>,
-    /// Type and name of each group.
-    pub(crate) groups: Vec<(String, String)>,
 }
 
 /// What tells a device from the others of its file.
@@ -29,6 +27,7 @@ pub(crate) struct Device {
     pub(crate) physics: Option<String>,
     pub(crate) profile: Option<u32>,
     pub(crate) add_info: Option<(u32, At)>,
+    pub(crate) fmmus: Vec<(String, At)>,
     pub(crate) sync_managers: Vec<Sm>,
     pub(crate) rx_pdos: Vec<Pdo>,
     pub(crate) tx_pdos: Vec<Pdo>,
@@ -149,12 +148,12 @@ pub(crate) struct Value {
     pub(crate) at: At,
     pub(crate) subindex: u8,
     pub(crate) name: Option<String>,
+    /// What tools are to show instead of the name.
+    pub(crate) display_name: Option<String>,
     pub(crate) comment: Option<String>,
     /// The basic type at the bottom of its type.
     pub(crate) type_name: String,
     pub(crate) bits: Option<u32>,
-    /// The first bit within the object, where the file says it.
-    pub(crate) offset: Option<u32>,
     pub(crate) choices: Vec<Choice>,
     pub(crate) flags: Flags,
     pub(crate) default: Option<Datum>,

@@ -12,9 +12,10 @@ mod words;
 
 use std::borrow::Cow;
 
-pub(super) use element::{At, Element};
+pub(super) use element::{At, Element, Unread};
 pub(super) use esi::{
-    Choice, Datum, Device, Esi, Head, Mailbox, Object, OpMode, Pdo, PdoEntry, Shape, Signal, Sm, Value, Written,
+    Choice, Datum, Device, Esi, Head, Mailbox, Object, OpMode, Pdo, PdoEntry, Shape, Signal, Sm, Value,
+    Written,
 };
 pub(super) use number::number;
 
@@ -35,7 +36,9 @@ pub(super) fn root(text: &str) -> Result<Element<'_>, (At, String)> {
     match root.name() {
         "EtherCATInfo" => Ok(root),
         "EtherCATModule" => Err((root.at(), "it describes modules only, and no device".to_owned())),
-        "EtherCATInfoList" => Err((root.at(), "it is a list of several ESI files; import them one by one".to_owned())),
+        "EtherCATInfoList" => {
+            Err((root.at(), "it is a list of several ESI files; import them one by one".to_owned()))
+        }
         other => Err((root.at(), format!("it is no ESI file: its root is `{other}`"))),
     }
 }
@@ -43,15 +46,9 @@ pub(super) fn root(text: &str) -> Result<Element<'_>, (At, String)> {
 /// What holds for the whole file.
 pub(super) fn file(root: &Element<'_>) -> Esi {
     let vendor = root.child("Vendor");
-    let groups = root.child("Descriptions").and_then(|it| it.child("Groups"));
-    let group = |group: &Element<'_>| {
-        let kind = group.child("Type")?.text().to_owned();
-        Some((kind, words::name(group, "Name")?))
-    };
     Esi {
         vendor_id: vendor.and_then(|vendor| vendor.child_as("Id", number)),
         vendor_name: vendor.and_then(|vendor| words::name(vendor, "Name")),
-        groups: groups.into_iter().flat_map(|groups| groups.all("Group")).filter_map(group).collect(),
     }
 }
 

@@ -34,7 +34,8 @@ pub(crate) fn truth(text: &str) -> Option<bool> {
 
 /// `hexBinary`: two digits a byte.
 pub(crate) fn bytes(text: &str) -> Option<Vec<u8>> {
-    let digits: Vec<u8> = text.chars().filter(|char| !char.is_whitespace()).map(digit).collect::<Option<_>>()?;
+    let digits: Vec<u8> =
+        text.chars().filter(|char| !char.is_whitespace()).map(digit).collect::<Option<_>>()?;
     let whole = digits.len().is_multiple_of(2);
     whole.then(|| digits.chunks(2).map(|pair| pair.iter().fold(0, |byte, digit| byte << 4 | digit)).collect())
 }

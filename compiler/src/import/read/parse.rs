@@ -28,7 +28,9 @@ pub(super) fn parse(text: &str) -> Result<Element<'_>, (At, String)> {
     let mut parts = 0_usize;
     loop {
         let before = At(position(reader.buffer_position()));
-        let event = reader.read_event().map_err(|error| (At(position(reader.error_position())), error.to_string()))?;
+        let event = reader
+            .read_event()
+            .map_err(|error| (At(position(reader.error_position())), error.to_string()))?;
         match event {
             Event::Start(start) => {
                 let element = element(text, &start, before)?;
@@ -42,7 +44,9 @@ pub(super) fn parse(text: &str) -> Result<Element<'_>, (At, String)> {
                 }
             }
             Event::End(_) => {
-                let Some(done) = open.pop() else { return Err((before, "an end without a start".to_owned())) };
+                let Some(done) = open.pop() else {
+                    return Err((before, "an end without a start".to_owned()));
+                };
                 match open.last_mut() {
                     Some(parent) => parent.children.push(done),
                     None => return Ok(done),
@@ -75,7 +79,11 @@ fn element<'t>(text: &'t str, start: &BytesStart<'_>, at: At) -> Result<Element<
         let value = attribute.normalized_value(XmlVersion::Implicit1_0).unwrap_or(attribute.value.clone());
         let place = text.get(tag..).and_then(|rest| rest.find(key)).unwrap_or_default();
         let key = text.get(tag..).and_then(|rest| rest.get(place..place + key.len())).unwrap_or_default();
-        attributes.push(Attribute { name: key, value: Cow::Owned(value.into_owned()), read: Cell::new(false) });
+        attributes.push(Attribute {
+            name: key,
+            value: Cow::Owned(value.into_owned()),
+            read: Cell::new(false),
+        });
     }
     Ok(Element {
         name,
@@ -84,6 +92,7 @@ fn element<'t>(text: &'t str, start: &BytesStart<'_>, at: At) -> Result<Element<
         text: Cow::Borrowed(""),
         children: Vec::new(),
         read: Cell::new(false),
+        idle: Cell::new(false),
     })
 }
 

@@ -13,7 +13,8 @@ pub(super) fn sm(element: &Element<'_>) -> Sm {
         default_size: element.attribute_as("DefaultSize", number),
         max_size: element.attribute_as("MaxSize", number),
         control: element.attribute_as("ControlByte", number),
-        enable: element.attribute_as("Enable", |text| truth(text).or(number::<u8>(text).map(|it| it & 1 == 1))),
+        enable: element
+            .attribute_as("Enable", |text| truth(text).or(number::<u8>(text).map(|it| it & 1 == 1))),
     }
 }
 

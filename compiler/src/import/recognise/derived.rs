@@ -43,7 +43,12 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
     let what = format!("0x{:04X}", object.index);
     let facts = 3 + object.values.iter().map(facts).sum::<usize>();
     let Some(made) = made(object, basis) else {
-        report.lose(object.at, facts, format!("object {what}"), "it belongs to a PDO or a sync manager that is not described");
+        report.lose(
+            object.at,
+            facts,
+            format!("object {what}"),
+            "it belongs to a PDO or a sync manager that is not described",
+        );
         return None;
     };
     compare(object, &made, &what, report);
@@ -54,23 +59,32 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
 }
 
 fn facts(value: &Value) -> usize {
-    2 + usize::from(value.default.is_some()) + usize::from(value.flags.access.is_some())
+    usize::from(value.default.is_some()) + usize::from(value.name.is_some())
 }
 
 fn made<'b>(object: &Object, basis: &Basis<'b>) -> Option<Made<'b>> {
     let access = |free| if free { Access::Rw } else { Access::Ro };
-    let assigned = |pdos: &[&Pdo]| pdos.iter().filter(|pdo| pdo.sm.is_some()).map(|pdo| pdo.index.into()).collect();
+    let assigned =
+        |pdos: &[&Pdo]| pdos.iter().filter(|pdo| pdo.sm.is_some()).map(|pdo| pdo.index.into()).collect();
     let [outputs, inputs] = basis.managers;
     match object.index {
         0x1C00 => Some(Made { access: Access::Ro, name: None, values: Vec::new() }),
         0x1C10 | 0x1C11 => Some(Made { access: Access::Ro, name: None, values: Vec::new() }),
-        0x1C12 => outputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.rx) }),
-        0x1C13 => inputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.tx) }),
+        0x1C12 => {
+            outputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.rx) })
+        }
+        0x1C13 => {
+            inputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.tx) })
+        }
         index => {
             let pdo = basis.rx.iter().chain(basis.tx).find(|pdo| pdo.index == index)?;
             let word = |entry: &super::super::read::PdoEntry| {
                 let place = u64::from(entry.index) << 16 | u64::from(entry.subindex) << 8;
-                if entry.index == 0 { u64::from(entry.bits & 0xFF) } else { place | u64::from(entry.bits & 0xFF) }
+                if entry.index == 0 {
+                    u64::from(entry.bits & 0xFF)
+                } else {
+                    place | u64::from(entry.bits & 0xFF)
+                }
             };
             let values = pdo.entries.iter().map(word).collect();
             Some(Made { access: access(!pdo.fixed && basis.maps), name: pdo.name.as_deref(), values })
@@ -89,12 +103,15 @@ fn compare(object: &Object, made: &Made<'_>, what: &str, report: &mut Report) {
     if matches!(object.index, 0x1C00 | 0x1C10 | 0x1C11) {
         return;
     }
+    let beyond = entries.get(made.values.len()..).unwrap_or_default();
+    if let Some(first) = beyond.first().filter(|_| !matches!(object.index, 0x1C12 | 0x1C13)) {
+        let why = format!("its PDO maps {}", made.values.len());
+        let facts = beyond.iter().map(|entry| facts(entry)).sum();
+        report.lose(object.at, facts, format!("entries of {what} from {} on", first.subindex), why);
+    }
     for (place, entry) in entries.iter().enumerate() {
         let stated = entry.default.as_ref().and_then(|datum| integer(&datum.written));
         match (made.values.get(place), stated) {
-            (None, _) if !matches!(object.index, 0x1C12 | 0x1C13) => {
-                report.lose(entry.at, facts(entry), format!("entries of {what}"), "its PDO maps fewer");
-            }
             (Some(value), Some(stated)) if stated != *value => {
                 let why = format!("0x{stated:X} is not what the PDO says, which is 0x{value:X}");
                 report.lose(entry.at, 1, format!("the default of {what}:{:02X}", entry.subindex), why);

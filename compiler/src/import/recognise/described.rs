@@ -34,7 +34,7 @@ pub(super) fn described(object: &Object, report: &mut Report) -> Option<Describe
             report.lose(value.at, 4, format!("a second entry {at}"), "there is one of this subindex already");
             continue;
         }
-        values.extend(said(value, &at, report));
+        values.extend(said(value, &at, kind == Kind::Var, report));
     }
     values.sort_by_key(|value| value.subindex);
     let nothing = values.is_empty();
@@ -44,7 +44,12 @@ pub(super) fn described(object: &Object, report: &mut Report) -> Option<Describe
         name: object.name.clone(),
         kind,
         about: object.comment.clone(),
-        category: object.flags.category.as_deref().and_then(words::category_of).map(|it| Toml::text(words::category(it))),
+        category: object
+            .flags
+            .category
+            .as_deref()
+            .and_then(words::category_of)
+            .map(|it| Toml::text(words::category(it))),
         values,
     })
 }
@@ -64,7 +69,8 @@ pub(super) fn difference(said: &Keys, known: &Keys) -> Keys {
 
 /// A text whose length follows from its default.
 fn same_text(said: &Keys, known: &Toml, value: &Toml) -> bool {
-    let (Toml::Text(known), Toml::Text(value), Some(Toml::Text(text))) = (known, value, get(said, "default")) else {
+    let (Toml::Text(known), Toml::Text(value), Some(Toml::Text(text))) = (known, value, get(said, "default"))
+    else {
         return false;
     };
     known == "STRING" && *value == format!("STRING({})", text.len())
@@ -75,4 +81,3 @@ fn is_usual(name: &str, value: &Toml) -> bool {
     matches!((name, value), ("pdo", Toml::Text(word)) if word == "none")
         || matches!((name, value), ("category", Toml::Text(word)) if word == "optional")
 }
-

@@ -12,13 +12,13 @@ const SHARED: [&str; 7] = ["type", "access", "pdo", "category", "default", "min"
 
 /// What is said once for all entries: values that most of them have, where each has some.
 pub(super) fn shared(category: Option<&Toml>, members: &[&Said], base: Option<Base<'_>>) -> Keys {
-    let known: Vec<Keys> = members.iter().map(|it| base.map(|base| base.entry(it.subindex)).unwrap_or_default()).collect();
+    let known: Vec<Keys> =
+        members.iter().map(|it| base.map(|base| base.entry(it.subindex)).unwrap_or_default()).collect();
     let mut keys = Keys::new();
     for name in SHARED {
         let values: Option<Vec<&Toml>> = members.iter().map(|member| get(&member.keys, name)).collect();
-        let needed = members.iter().zip(&known).filter(|(member, known)| {
-            get(&member.keys, name) != get(known, name)
-        });
+        let needed =
+            members.iter().zip(&known).filter(|(member, known)| get(&member.keys, name) != get(known, name));
         let needed = needed.count();
         let own = if name == "category" { category } else { None };
         if own.is_some() && base.is_some_and(|base| get(&base.value(), name) == own) {
@@ -48,7 +48,12 @@ fn most_frequent<'v>(values: &[&'v Toml]) -> Option<&'v Toml> {
         }
     }
     // The first of those that are as frequent.
-    counted.iter().rev().max_by_key(|(_, count)| *count).filter(|(_, count)| *count > 1).map(|(value, _)| *value)
+    counted
+        .iter()
+        .rev()
+        .max_by_key(|(_, count)| *count)
+        .filter(|(_, count)| *count > 1)
+        .map(|(value, _)| *value)
 }
 
 /// An entry with what is left to say of it.
@@ -82,9 +87,18 @@ pub(super) fn tables(
             known.retain(|(known, _)| known != name);
             set(&mut known, name, value.clone());
         }
-        let name = member.name.clone().filter(|name| base_name.as_ref().is_none_or(|base| !words::alike(base, name)));
+        let name = member
+            .name
+            .clone()
+            .filter(|name| base_name.as_ref().is_none_or(|base| !words::alike(base, name)));
         let fixed = described.contains(&member.subindex);
-        let own = Own { first: member.subindex, last: member.subindex, name, keys: difference(&member.keys, &known), fixed };
+        let own = Own {
+            first: member.subindex,
+            last: member.subindex,
+            name,
+            keys: difference(&member.keys, &known),
+            fixed,
+        };
         if !runs.last_mut().is_some_and(|run| joins(run, &own)) {
             runs.push(own);
         }
@@ -144,7 +158,8 @@ fn filled(pattern: &str, subindex: u8) -> Option<String> {
 }
 
 fn table(run: &Own) -> (String, Toml) {
-    let key = if run.first == run.last { run.first.to_string() } else { format!("{}..={}", run.first, run.last) };
+    let key =
+        if run.first == run.last { run.first.to_string() } else { format!("{}..={}", run.first, run.last) };
     let mut keys = Keys::new();
     if let Some(name) = &run.name {
         set(&mut keys, "name", Toml::text(name));
@@ -171,7 +186,12 @@ fn count(object: &Described, report: &mut Report) -> Option<(String, Toml)> {
     }
     if count.data_type.bits() != 8 {
         let what = format!("the type of 0x{:04X}:00", object.index);
-        report.lose(object.at, 1, what, format!("{} is taken for UINT8, as ETG.1000.6 fixes it", count.data_type));
+        report.lose(
+            object.at,
+            1,
+            what,
+            format!("{} is taken for UINT8, as ETG.1000.6 fixes it", count.data_type),
+        );
         keys.retain(|(name, value)| !(name == "default" && !matches!(value, Toml::Integer(0..=255))));
     }
     (!keys.is_empty()).then(|| ("0".to_owned(), Toml::Table(keys)))

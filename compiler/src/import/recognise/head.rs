@@ -13,13 +13,19 @@ pub(super) fn blocks(esi: &Esi, device: &Device, objects: &[Described], report: 
     add_info(device, objects, report);
     if let Some(eeprom) = &device.eeprom {
         let mut keys = Keys::new();
-        if let Some(size) = eeprom.size.filter(|size| *size != Eeprom::USUAL_SIZE || eeprom.config_data.is_empty()) {
+        if let Some(size) =
+            eeprom.size.filter(|size| *size != Eeprom::USUAL_SIZE || eeprom.config_data.is_empty())
+        {
             set(&mut keys, "size", Toml::Integer(size.into()));
         }
         if !eeprom.config_data.is_empty() {
             set(&mut keys, "config-data", Toml::text(pairs(&eeprom.config_data)));
         } else {
-            report.guess(eeprom.at, "Eeprom", "without ConfigData an ESI made of the description has no Eeprom");
+            report.guess(
+                eeprom.at,
+                "Eeprom",
+                "without ConfigData an ESI made of the description has no Eeprom",
+            );
         }
         blocks.push(Block::new("eeprom", None, keys));
     }
@@ -88,13 +94,14 @@ fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
 fn add_info(device: &Device, objects: &[Described], report: &mut Report) {
     let Some((info, at)) = device.add_info else { return };
     let kind = objects.iter().find(|object| object.index == 0x1000);
-    let default = kind.and_then(|object| object.values.first()).and_then(|value| {
-        match super::super::toml::get(&value.keys, "default") {
-            Some(Toml::Hex(value, _)) => Some(*value),
-            Some(Toml::Integer(value)) => u64::try_from(*value).ok(),
-            _ => None,
-        }
-    });
+    let default =
+        kind.and_then(|object| object.values.first()).and_then(|value| {
+            match super::super::toml::get(&value.keys, "default") {
+                Some(Toml::Hex(value, _)) => Some(*value),
+                Some(Toml::Integer(value)) => u64::try_from(*value).ok(),
+                _ => None,
+            }
+        });
     let kept = default.is_some_and(|value| {
         value >> 16 == u64::from(info) && Some(value & 0xFFFF) == device.profile.map(u64::from)
     });

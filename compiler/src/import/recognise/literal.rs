@@ -29,7 +29,8 @@ pub(super) fn literal(written: &Written, data_type: DataType) -> Result<Toml, &'
 
 fn text(bytes: &[u8], length: u16) -> Result<Toml, &'static str> {
     let end = bytes.iter().rposition(|byte| *byte != 0).map_or(0, |place| place + 1);
-    let text = bytes.get(..end).and_then(|bytes| std::str::from_utf8(bytes).ok()).ok_or("its bytes are no text")?;
+    let text =
+        bytes.get(..end).and_then(|bytes| std::str::from_utf8(bytes).ok()).ok_or("its bytes are no text")?;
     if text.chars().any(char::is_control) {
         return Err("it has characters that cannot be printed");
     }
@@ -78,7 +79,8 @@ fn integer(value: i128, data_type: DataType) -> Result<Toml, &'static str> {
     }
     Ok(match data_type {
         DataType::Bool => Toml::Bool(value == 1),
-        DataType::Uint(32) | DataType::Bitstring(32) if value > 0xFFFF => hex(value, 8),
+        // As people know it: all bits.
+        DataType::Uint(32) if value == 0xFFFF_FFFF => hex(value, 8),
         DataType::Bitstring(bits) => hex(value, usize::from(bits / 4)),
         _ => Toml::Integer(value),
     })

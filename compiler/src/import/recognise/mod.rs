@@ -1,5 +1,6 @@
 //! What an ESI file means, in the words of a description.
 
+mod axes;
 mod clocks;
 mod derived;
 mod described;
@@ -18,8 +19,12 @@ mod words;
 
 pub(super) use draft::{Block, Draft};
 
+use std::collections::BTreeSet;
+
 use super::read::{Device, Esi, Object};
 use super::report::Report;
+use super::toml::Toml;
+use axes::Axes;
 use described::Described;
 use pdos::Way;
 use profile::Known;
@@ -36,12 +41,15 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let references = references::References::of(&described, &known);
     let mut draft = Draft { profiles, ..Draft::default() };
     draft.device = head::blocks(esi, device, &described, report);
-    for object in &described {
-        let (block, without) = objects::block(object, &known, report);
+    let axes = Axes::of(&described);
+    draft.device.extend(axes.block(&described, report));
+    for object in described.iter().filter(|object| !axes.repeats(object.index)) {
+        let (mut block, without) = objects::block(object, &known, report);
+        axes.complete(object.index, &mut block);
         draft.objects.push(block);
         draft.without.extend(without);
     }
-    process_data(device, &made, &references, &mut draft, report);
+    process_data(device, &made, (&references, &axes), &mut draft, report);
     draft.device.extend(clocks::sync_modes(&device.op_modes, report));
     draft
 }
@@ -49,7 +57,9 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
 /// Whether it speaks CiA 402: by its profile, or by control word and status word.
 fn is_drive(device: &Device) -> bool {
     let has = |index| {
-        let word = |object: &&Object| object.index == index && object.values.first().is_some_and(|it| it.bits == Some(16));
+        let word = |object: &&Object| {
+            object.index == index && object.values.first().is_some_and(|it| it.bits == Some(16))
+        };
         device.objects.iter().any(|object| word(&object))
     };
     device.profile == Some(402) || has(0x6040) && has(0x6041)
@@ -57,7 +67,7 @@ fn is_drive(device: &Device) -> bool {
 
 /// The objects, each index once.
 fn distinct<'d>(device: &'d Device, report: &mut Report) -> Vec<&'d Object> {
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = BTreeSet::new();
     let mut distinct = Vec::new();
     for object in &device.objects {
         if seen.insert(object.index) {
@@ -74,17 +84,27 @@ fn distinct<'d>(device: &'d Device, report: &mut Report) -> Vec<&'d Object> {
 fn process_data(
     device: &Device,
     made: &[&Object],
-    references: &references::References,
+    (references, axes): (&references::References, &Axes),
     draft: &mut Draft,
     report: &mut Report,
 ) {
+    let mut followers = BTreeSet::new();
     let rx = pdos::possible(&device.rx_pdos, Way::Rx, report);
     let tx = pdos::possible(&device.tx_pdos, Way::Tx, report);
     for (way, pdos) in [(Way::Rx, &rx), (Way::Tx, &tx)] {
-        draft.pdos.extend(pdos.iter().map(|pdo| pdos::block(pdo, way, pdos, references, report)));
+        let (leading, following) = axes.pdos(pdos, report);
+        for pdo in pdos.iter().filter(|pdo| !following.contains(&pdo.index)) {
+            let mut block = pdos::block(pdo, way, pdos, references, report);
+            if leading.contains(&pdo.index) {
+                block.keys.insert(1, ("per-axis".to_owned(), Toml::Bool(true)));
+            }
+            draft.pdos.push(block);
+        }
+        followers.extend(following);
     }
     let slots = [0x1C12, 0x1C13].map(|index| derived::slots(made, index));
-    let managers = transport::sync_managers(&device.sync_managers, &rx, &tx, slots, report);
+    let managers = transport::sync_managers(&device.sync_managers, [&rx, &tx], &followers, slots, report);
+    transport::fmmus(&device.fmmus, &managers, report);
     let has = |role: &str| managers.iter().any(|block| block.key.as_deref() == Some(role));
     let mailbox = device.mailbox.as_ref();
     let basis = derived::Basis {

@@ -17,7 +17,8 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
     let mut keys = Keys::new();
     let mut without = Vec::new();
     let base_name = base.and_then(Base::name);
-    let name = object.name.as_ref().filter(|name| base_name.as_ref().is_none_or(|base| !words::alike(base, name)));
+    let name =
+        object.name.as_ref().filter(|name| base_name.as_ref().is_none_or(|base| !words::alike(base, name)));
     if let Some(name) = name {
         set(&mut keys, "name", Toml::text(name));
     }

@@ -46,7 +46,12 @@ pub(super) fn possible<'p>(pdos: &'p [Pdo], way: Way, report: &mut Report) -> Ve
     for pdo in pdos {
         let what = format!("{} 0x{:04X}", way.element(), pdo.index);
         if !way.holds(pdo.index) {
-            report.lose(pdo.at, facts(pdo), what, "its index is none of those that ETG.1000.6 has for its direction");
+            report.lose(
+                pdo.at,
+                facts(pdo),
+                what,
+                "its index is none of those that ETG.1000.6 has for its direction",
+            );
         } else if possible.iter().any(|known| known.index == pdo.index) {
             report.lose(pdo.at, facts(pdo), what, "there is one of this index already");
         } else {
@@ -68,13 +73,23 @@ fn entry_facts(entry: &PdoEntry) -> usize {
 }
 
 /// The table of a PDO. `all` are those of its direction.
-pub(super) fn block(pdo: &Pdo, way: Way, all: &[&Pdo], references: &References, report: &mut Report) -> Block {
+pub(super) fn block(
+    pdo: &Pdo,
+    way: Way,
+    all: &[&Pdo],
+    references: &References,
+    report: &mut Report,
+) -> Block {
     let mut keys = Keys::new();
     let key = format!("0x{:04X}", pdo.index);
     let mut remarks = Vec::new();
     let name = pdo.name.clone().unwrap_or_else(|| {
         remarks.push("the ESI gives it no name".to_owned());
-        report.guess(pdo.at, format!("the name of {} {key}", way.element()), "it has none; its index is taken");
+        report.guess(
+            pdo.at,
+            format!("the name of {} {key}", way.element()),
+            "it has none; its index is taken",
+        );
         format!("{} {key}", way.element())
     });
     set(&mut keys, "name", Toml::text(name));
@@ -92,7 +107,12 @@ pub(super) fn block(pdo: &Pdo, way: Way, all: &[&Pdo], references: &References, 
     for (index, at) in &pdo.excludes {
         let text = format!("0x{index:04X}");
         if *index == pdo.index || !all.iter().any(|other| other.index == *index) {
-            report.lose(*at, 1, format!("Exclude {text} of {} {key}", way.element()), "it names no other PDO of the direction");
+            report.lose(
+                *at,
+                1,
+                format!("Exclude {text} of {} {key}", way.element()),
+                "it names no other PDO of the direction",
+            );
         } else if !excludes.contains(&text) {
             excludes.push(text);
         }

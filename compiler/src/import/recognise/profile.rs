@@ -74,7 +74,8 @@ impl Base<'_> {
 
     /// What it says of an entry, be it in its own table or for all of them.
     pub(super) fn entry(self, subindex: u8) -> Keys {
-        let own = self.0.entries.iter().find(|entries| (entries.range.0..=entries.range.1).contains(&subindex));
+        let own =
+            self.0.entries.iter().find(|entries| (entries.range.0..=entries.range.1).contains(&subindex));
         keys(&own.unwrap_or(&self.0.shared).value)
     }
 }

@@ -37,7 +37,7 @@ impl References {
             let base = known.object(object.index);
             for value in &object.values {
                 let single = object.kind == Kind::Var;
-                let text = if single { word.clone() } else { format!("{word}:{}", value.subindex) };
+                let text = if single { word.clone() } else { format!("{word}:{:X}", value.subindex) };
                 let given = if single { &object.name } else { &value.name };
                 let name = given.clone().or_else(|| base.filter(|_| single).and_then(Base::name));
                 let target = Target { text, name, data_type: value.data_type };

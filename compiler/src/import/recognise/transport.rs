@@ -1,6 +1,8 @@
 //! Sync managers and the mailbox.
 
-use super::super::read::{Mailbox, Pdo, Sm};
+use std::collections::BTreeSet;
+
+use super::super::read::{At, Mailbox, Pdo, Sm};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
 use super::draft::Block;
@@ -14,7 +16,14 @@ const ROLES: [(&str, &str, u8); 4] = [
 ];
 
 /// The tables of the sync managers, with the PDOs that each carries at start-up in the order of the file.
-pub(super) fn sync_managers(managers: &[Sm], rx: &[&Pdo], tx: &[&Pdo], slots: [usize; 2], report: &mut Report) -> Vec<Block> {
+/// `followers` are PDOs that come with that of the first axis.
+pub(super) fn sync_managers(
+    managers: &[Sm],
+    [rx, tx]: [&[&Pdo]; 2],
+    followers: &BTreeSet<u16>,
+    slots: [usize; 2],
+    report: &mut Report,
+) -> Vec<Block> {
     let mut blocks: Vec<Block> = Vec::new();
     for (number, manager) in (0..=u8::MAX).zip(managers) {
         let Some(role) = role(manager, report) else {
@@ -24,7 +33,12 @@ pub(super) fn sync_managers(managers: &[Sm], rx: &[&Pdo], tx: &[&Pdo], slots: [u
         };
         let (key, _, usual) = role;
         if blocks.iter().any(|block| block.key.as_deref() == Some(key)) {
-            report.lose(manager.at, facts(manager), format!("Sm {number}"), format!("there are {key} already"));
+            report.lose(
+                manager.at,
+                facts(manager),
+                format!("Sm {number}"),
+                format!("there are {key} already"),
+            );
             continue;
         }
         let carried = match key {
@@ -34,16 +48,45 @@ pub(super) fn sync_managers(managers: &[Sm], rx: &[&Pdo], tx: &[&Pdo], slots: [u
         };
         let pdos: Vec<&Pdo> = carried.iter().copied().filter(|pdo| pdo.sm == Some(number)).collect();
         let slots = slots.get(usize::from(key == "inputs")).copied().filter(|_| !key.starts_with("mailbox"));
-        blocks.push(block(manager, key, usual, &pdos, slots.unwrap_or(0), report));
+        let slots = slots.filter(|slots| *slots > pdos.len());
+        let mut block = block(manager, key, usual, &pdos, report);
+        if let Some(Toml::List(assigned)) =
+            block.keys.iter_mut().find(|(key, _)| key == "pdos").map(|(_, it)| it)
+        {
+            let named = |index: &u16| Toml::text(format!("0x{index:04X}"));
+            let followers: Vec<Toml> = followers.iter().map(named).collect();
+            assigned.retain(|pdo| !followers.contains(pdo));
+        }
+        if let Some(slots) = slots {
+            set(&mut block.keys, "slots", Toml::Integer(slots.min(255) as i128));
+        }
+        blocks.push(block);
     }
-    for pdo in rx.iter().chain(tx) {
+    for pdo in rx.iter().chain(tx).filter(|pdo| !followers.contains(&pdo.index)) {
         let text = format!("0x{:04X}", pdo.index);
         let assigned = |block: &Block| block.keys.iter().any(|(_, value)| lists(value, &text));
         if let Some(number) = pdo.sm.filter(|_| !blocks.iter().any(assigned)) {
-            report.lose(pdo.at, 1, format!("Sm of PDO {text}"), format!("sync manager {number} does not carry its direction"));
+            report.lose(
+                pdo.at,
+                1,
+                format!("Sm of PDO {text}"),
+                format!("sync manager {number} does not carry its direction"),
+            );
         }
     }
     blocks
+}
+
+/// Reports mapping units that are not those that follow from the sync managers, in their usual order.
+pub(super) fn fmmus(fmmus: &[(String, At)], managers: &[Block], report: &mut Report) {
+    let usual = [("outputs", "outputs"), ("inputs", "inputs"), ("mailbox-in", "mboxstate")];
+    let has = |role: &str| managers.iter().any(|block| block.key.as_deref() == Some(role));
+    let mut made = usual.into_iter().filter(|(role, _)| has(role)).map(|(_, name)| name);
+    for (name, at) in fmmus {
+        if made.by_ref().all(|made| !name.eq_ignore_ascii_case(made)) {
+            report.lose(*at, 1, format!("Fmmu `{name}`"), "mapping units follow from the sync managers");
+        }
+    }
 }
 
 fn lists(value: &Toml, text: &str) -> bool {
@@ -71,11 +114,15 @@ fn role(manager: &Sm, report: &mut Report) -> Option<(&'static str, &'static str
     let control = manager.control?;
     let place = usize::from(control & 0b11 == 0) * 2 + usize::from(control & 0b1100 == 0);
     let role = ROLES.get(place).copied()?;
-    report.guess(manager.at, format!("the role {} of a sync manager", role.0), "it has none; its control byte tells it");
+    report.guess(
+        manager.at,
+        format!("the role {} of a sync manager", role.0),
+        "it has none; its control byte tells it",
+    );
     Some(role)
 }
 
-fn block(manager: &Sm, key: &'static str, usual: u8, pdos: &[&Pdo], slots: usize, report: &mut Report) -> Block {
+fn block(manager: &Sm, key: &'static str, usual: u8, pdos: &[&Pdo], report: &mut Report) -> Block {
     let mut keys = Keys::new();
     let address = manager.address.unwrap_or_else(|| {
         report.guess(manager.at, format!("the address of {key}"), "the file has none; 0x1000 is taken");
@@ -84,7 +131,9 @@ fn block(manager: &Sm, key: &'static str, usual: u8, pdos: &[&Pdo], slots: usize
     set(&mut keys, "address", Toml::Hex(address.into(), 4));
     let bits: u32 = pdos.iter().flat_map(|pdo| &pdo.entries).map(|entry| u32::from(entry.bits)).sum();
     let image = bits.div_ceil(8);
-    if let Some(size) = manager.default_size.filter(|size| key.starts_with("mailbox") || u32::from(*size) != image) {
+    if let Some(size) =
+        manager.default_size.filter(|size| key.starts_with("mailbox") || u32::from(*size) != image)
+    {
         set(&mut keys, "size", Toml::Integer(size.into()));
     }
     if let Some(size) = manager.max_size {
@@ -100,9 +149,6 @@ fn block(manager: &Sm, key: &'static str, usual: u8, pdos: &[&Pdo], slots: usize
     }
     if !pdos.is_empty() {
         set(&mut keys, "pdos", Toml::texts(pdos.iter().map(|pdo| format!("0x{:04X}", pdo.index))));
-    }
-    if slots > pdos.len() {
-        set(&mut keys, "slots", Toml::Integer(slots.min(255) as i128));
     }
     Block::new("sync-managers", Some(key.to_owned()), keys)
 }
@@ -128,9 +174,19 @@ pub(super) fn mailbox(mailbox: &Mailbox, report: &mut Report) -> Option<Block> {
         set(&mut keys, name, Toml::Bool(value));
     }
     for command in &mailbox.commands {
-        let what = format!("InitCmd 0x{:04X}:{:02X} in {}", command.index, command.subindex, command.transitions.join(", "));
+        let what = format!(
+            "InitCmd 0x{:04X}:{:02X} in {}",
+            command.index,
+            command.subindex,
+            command.transitions.join(", ")
+        );
         let data: String = command.data.iter().map(|byte| format!("{byte:02X}")).collect();
-        report.lose(command.at, command.facts, what, format!("descriptions have no start-up commands; it writes {data}"));
+        report.lose(
+            command.at,
+            command.facts,
+            what,
+            format!("descriptions have no start-up commands; it writes {data}"),
+        );
     }
     Some(Block::new("mailbox", None, keys))
 }

@@ -18,9 +18,13 @@ pub(super) fn data_type(name: &str, bits: Option<u32>) -> Option<(DataType, bool
         (Some(DataType::Text(0)), None) => Some((DataType::Text(1), false)),
         (Some(named), None) => Some((named, false)),
         (Some(named), Some(bits)) if named.bits() == bits => Some((named, is_stand_in(name))),
-        (Some(DataType::Int(_)), Some(bits)) if whole(bits) => Some((DataType::Int(u8::try_from(bits).ok()?), true)),
+        (Some(DataType::Int(_)), Some(bits)) if whole(bits) => {
+            Some((DataType::Int(u8::try_from(bits).ok()?), true))
+        }
         // An enumeration of some bits is made of bytes by its name.
-        (Some(DataType::Uint(8)), Some(bits)) if bits < 8 => Some((DataType::Bits(u8::try_from(bits).ok()?), false)),
+        (Some(DataType::Uint(8)), Some(bits)) if bits < 8 => {
+            Some((DataType::Bits(u8::try_from(bits).ok()?), false))
+        }
         (None, Some(_)) if is_composite(name) => None,
         (_, Some(bits)) => unsigned(bits).map(|it| (it, true)),
         (None, None) => None,
@@ -76,7 +80,10 @@ fn named(name: &str) -> Option<DataType> {
     let uint = || number("UINT").filter(|bits| whole((*bits).into())).map(DataType::Uint);
     let text = || {
         let length = name.strip_prefix("STRING(").or_else(|| name.strip_prefix("VISIBLE_STRING("));
-        length.and_then(|rest| rest.strip_suffix(')')).and_then(|it| it.trim().parse().ok()).map(DataType::Text)
+        length
+            .and_then(|rest| rest.strip_suffix(')'))
+            .and_then(|it| it.trim().parse().ok())
+            .map(DataType::Text)
     };
     basic.or_else(bits).or_else(int).or_else(uint).or_else(text)
 }

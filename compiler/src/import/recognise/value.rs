@@ -19,8 +19,9 @@ pub(super) struct Said {
     pub(super) keys: Keys,
 }
 
-/// What a value says; none if its type is none of the language, which is reported.
-pub(super) fn said(value: &Value, at: &str, report: &mut Report) -> Option<Said> {
+/// What a value says, be it a `single` one or one among others; none if its type is none of the language, which is
+/// reported.
+pub(super) fn said(value: &Value, at: &str, single: bool, report: &mut Report) -> Option<Said> {
     let Some((data_type, other)) = data_type(&value.type_name, value.bits) else {
         let bits = value.bits.unwrap_or(0);
         let why = format!("descriptions have no type `{}` of {bits} bits", value.type_name);
@@ -29,7 +30,11 @@ pub(super) fn said(value: &Value, at: &str, report: &mut Report) -> Option<Said>
     };
     if other {
         let bits = value.bits.map(|bits| format!(" of {bits} bits")).unwrap_or_default();
-        report.guess(value.at, format!("the type of {at}"), format!("`{}`{bits} is taken for {data_type}", value.type_name));
+        report.guess(
+            value.at,
+            format!("the type of {at}"),
+            format!("`{}`{bits} is taken for {data_type}", value.type_name),
+        );
     }
     let mut keys = Keys::new();
     set(&mut keys, "type", Toml::text(data_type.to_string()));
@@ -47,16 +52,26 @@ pub(super) fn said(value: &Value, at: &str, report: &mut Report) -> Option<Said>
         set(&mut keys, "about", Toml::text(comment));
     }
     let name = value.name.clone().filter(|name| !words::says_nothing(name));
+    let shown = value
+        .display_name
+        .as_ref()
+        .filter(|shown| name.as_ref().is_none_or(|name| !words::alike(name, shown)));
+    if let Some(shown) = shown.filter(|_| name.is_some() || single) {
+        report.lose(
+            value.at,
+            1,
+            "a DisplayName beside the name",
+            format!("`{shown}`: an entry has one name"),
+        );
+    }
+    let name = name.or_else(|| value.display_name.clone());
     Some(Said { subindex: value.subindex, data_type, name, keys })
 }
 
 /// How many facts a value is: those that this module reads.
 fn facts(value: &Value) -> usize {
-    let flags = &value.flags;
-    let flags = [&flags.access, &flags.category, &flags.pdo_mapping, &flags.write_restrictions];
-    let flags = flags.into_iter().flatten().count();
     let data = [&value.default, &value.min, &value.max].into_iter().flatten().count();
-    2 + usize::from(value.name.is_some()) + flags + data
+    2 + usize::from(value.name.is_some()) + data
 }
 
 fn flags(value: &Value, at: &str, keys: &mut Keys, report: &mut Report) {
@@ -75,15 +90,24 @@ fn flags(value: &Value, at: &str, keys: &mut Keys, report: &mut Report) {
     match flags.write_restrictions.as_deref().map(|text| (text, words::window_of(text))) {
         Some((_, Some(window))) => set(keys, "written", Toml::text(words::window(window))),
         Some((text, None)) => {
-            report.lose(value.at, 1, format!("WriteRestrictions of {at}"), format!("`{text}` is none that is known"));
+            report.lose(
+                value.at,
+                1,
+                format!("WriteRestrictions of {at}"),
+                format!("`{text}` is none that is known"),
+            );
         }
         None => {}
     }
 }
 
+/// A value as it is written; what identifies a device is in hexadecimal.
 fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut Report) -> Option<Toml> {
     match literal(&datum.written, data_type) {
         Ok(Toml::Text(text)) if name == "default" && text.is_empty() => None,
+        Ok(Toml::Integer(value)) if data_type == DataType::Uint(32) && at.starts_with("0x10") => {
+            Some(u64::try_from(value).map_or(Toml::Integer(value), |value| Toml::Hex(value, 8)))
+        }
         Ok(literal) => Some(literal),
         Err(why) => {
             report.lose(datum.at, 1, format!("the {name} of {at}"), format!("as {data_type}, {why}"));
@@ -105,9 +129,10 @@ fn meanings(value: &Value, at: &str, data_type: DataType, report: &mut Report) -
         }
         let meaning = match comment {
             None => Toml::text(name),
-            Some(about) => {
-                Toml::Table(vec![("name".to_owned(), Toml::text(name)), ("about".to_owned(), Toml::text(about))])
-            }
+            Some(about) => Toml::Table(vec![
+                ("name".to_owned(), Toml::text(name)),
+                ("about".to_owned(), Toml::text(about)),
+            ]),
         };
         meanings.push((key, meaning));
     }

@@ -1,7 +1,7 @@
 //! Tables in lines: what is short stands in one line, keys of a table are aligned.
 
-use super::Block;
 use super::super::toml::{Keys, Toml, key};
+use super::Block;
 
 /// The longest line that is written if there is a choice.
 const WIDTH: usize = 120;
@@ -30,12 +30,19 @@ impl<'b> Section<'b> {
 /// The tables of one section: first those of a line each, then the others.
 fn section(blocks: &[Block]) -> String {
     let mut text = String::new();
-    let (short, long): (Vec<&Block>, Vec<&Block>) = blocks.iter().partition(|block| is_short(block, blocks.len()));
+    let (short, long): (Vec<&Block>, Vec<&Block>) =
+        blocks.iter().partition(|block| is_short(block, blocks.len()));
     if let Some(first) = short.first() {
         text += &format!("[{}]\n", first.section);
-        let widest = short.iter().filter_map(|block| block.key.as_deref()).map(|name| key(name).len()).max().unwrap_or(0);
+        let widest = short
+            .iter()
+            .filter_map(|block| block.key.as_deref())
+            .map(|name| key(name).len())
+            .max()
+            .unwrap_or(0);
         for block in &short {
-            text += &format!("{:widest$} = {}\n", key(block.key.as_deref().unwrap_or_default()), inline(block));
+            text +=
+                &format!("{:widest$} = {}\n", key(block.key.as_deref().unwrap_or_default()), inline(block));
         }
         text.push('\n');
     }

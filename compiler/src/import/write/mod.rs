@@ -20,13 +20,17 @@ pub(super) fn files(draft: &Draft, from: &str, lints: &[String]) -> BTreeMap<Str
     let parts = [("pdos.toml", "Process data", pdos), ("objects.toml", "The dictionary", objects)];
     let lines: usize = parts.iter().map(|(_, _, text)| text.lines().count()).sum();
     let apart = lines > MOST_LINES;
-    let included: Vec<&str> = parts.iter().filter(|part| apart && !part.2.is_empty()).map(|part| part.0).collect();
+    let included: Vec<&str> =
+        parts.iter().filter(|part| apart && !part.2.is_empty()).map(|part| part.0).collect();
     let mut main = head(draft, from, &included);
     main.push_str(&device);
     let mut files = BTreeMap::new();
     for (name, title, text) in parts.into_iter().filter(|part| !part.2.is_empty()) {
         if apart {
-            files.insert(name.to_owned(), format!("# {title}.\n\nsource = {}\n\n{text}", Toml::text(from).inline()));
+            files.insert(
+                name.to_owned(),
+                format!("# {title}.\n\nsource = {}\n\n{text}", Toml::text(from).inline()),
+            );
         } else {
             main.push_str(&text);
         }
