@@ -101,7 +101,8 @@ fn value(
     let base = declared.and_then(|it| text_in(it, "BaseType")).filter(|it| !it.is_empty());
     let count = key.ends_with(":00") && !key.contains("/6");
     facts.text(&format!("{key}/bits"), bits.map(|bits| bits.to_string()), at);
-    facts.text(&format!("{key}/type"), Some(canonical(base.as_deref().unwrap_or(kind), bits)), at);
+    let kind = canonical(base.as_deref().unwrap_or(kind), bits);
+    facts.text(&format!("{key}/type"), Some(kind.clone()), at);
     let flag = |tag| flags.and_then(|it| text_in(it, tag)).filter(|it| !it.is_empty());
     facts.text(&format!("{key}/access"), Some(flag("Access").unwrap_or("ro".to_owned()).to_lowercase()), at);
     let mut mapping: Vec<char> = flag("PdoMapping").unwrap_or_default().to_lowercase().chars().collect();
@@ -114,7 +115,7 @@ fn value(
         flags.and_then(|it| find(it, "Access")).and_then(|it| it.attribute("WriteRestrictions"));
     facts.text(&format!("{key}/written"), restriction.map(str::to_lowercase), at);
     for what in ["Default", "Min", "Max"] {
-        let bytes = info.and_then(|info| bytes(info, what, bits));
+        let bytes = info.and_then(|info| bytes(info, what, &kind, bits));
         facts.text(&format!("{key}/{}", what.to_lowercase()), bytes, at);
     }
     let choices = declared.into_iter().flat_map(|it| all(it, "EnumInfo"));
@@ -128,7 +129,7 @@ fn value(
 }
 
 /// A value as little-endian bytes without the zeros at its end.
-fn bytes(info: Node<'_, '_>, what: &str, bits: Option<i64>) -> Option<String> {
+fn bytes(info: Node<'_, '_>, what: &str, kind: &str, bits: Option<i64>) -> Option<String> {
     let trimmed = |hex: String| {
         let mut hex = hex.to_uppercase();
         while hex.ends_with("00") && hex.len().is_multiple_of(2) {
@@ -145,6 +146,9 @@ fn bytes(info: Node<'_, '_>, what: &str, bits: Option<i64>) -> Option<String> {
     }
     let text = text_in(info, &format!("{what}Value")).filter(|it| !it.is_empty())?;
     let Some(value) = number(&text) else { return Some(format!("not a number: {text}")) };
+    if kind == "REAL" && value.abs() <= 1 << 24 {
+        return Some(hex(&(value as f32).to_le_bytes()));
+    }
     let width = usize::try_from(bits.unwrap_or(64) + 7).unwrap_or(64) / 8;
     Some(hex(&value.to_le_bytes()[..width.min(8)]))
 }

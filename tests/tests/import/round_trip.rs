@@ -15,7 +15,6 @@ pub(crate) struct Trip {
     /// Those of them that the report says nothing of.
     pub(crate) silent: Vec<String>,
     pub(crate) imported: Imported,
-    pub(crate) xml: String,
     pub(crate) warnings: usize,
 }
 
@@ -32,7 +31,7 @@ pub(crate) fn trip(bytes: &[u8], number: usize) -> Result<Trip, String> {
     let changed = changed(&before, &after);
     let silent = changed.iter().filter(|(key, ..)| !is_reported(&before, key, &imported));
     let silent = silent.map(|(key, was, is)| format!("{key}: {was} became {is:?}")).collect();
-    Ok(Trip { facts: before.len(), changed, silent, imported, xml, warnings })
+    Ok(Trip { facts: before.len(), changed, silent, imported, warnings })
 }
 
 /// The ESI that devc makes of the files, and how many warnings it has about them.

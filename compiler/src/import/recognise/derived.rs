@@ -5,7 +5,7 @@ use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
 use super::draft::Block;
 use super::words;
-use crate::model::Access;
+use crate::model::{Access, Category};
 
 /// What the objects follow from.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +22,7 @@ pub(super) struct Basis<'b> {
 /// What devc makes of an object.
 struct Made<'b> {
     access: Access,
-    name: Option<&'b str>,
+    name: &'b str,
     /// The values of its entries; none if the file's are not compared.
     values: Vec<u64>,
 }
@@ -32,8 +32,8 @@ pub(super) fn is_derived(index: u16) -> bool {
     crate::model::Index(index).is_derived()
 }
 
-/// How many PDOs an assignment object has room for.
-pub(super) fn slots(objects: &[&Object], index: u16) -> usize {
+/// How many entries an object has room for, without subindex 0.
+pub(super) fn room(objects: &[&Object], index: u16) -> usize {
     let object = objects.iter().find(|object| object.index == index);
     object.map_or(0, |object| object.values.iter().filter(|value| value.subindex > 0).count())
 }
@@ -52,7 +52,7 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
         return None;
     };
     compare(object, &made, &what, report);
-    let keys = access(object, made.access);
+    let keys = access(object, made.access, report);
     let mentioned = matches!(object.index, 0x1C10 | 0x1C11);
     let differs = !keys.is_empty() || mentioned;
     differs.then(|| Block::new("objects", Some(what), keys))
@@ -68,14 +68,25 @@ fn made<'b>(object: &Object, basis: &Basis<'b>) -> Option<Made<'b>> {
         |pdos: &[&Pdo]| pdos.iter().filter(|pdo| pdo.sm.is_some()).map(|pdo| pdo.index.into()).collect();
     let [outputs, inputs] = basis.managers;
     match object.index {
-        0x1C00 => Some(Made { access: Access::Ro, name: None, values: Vec::new() }),
-        0x1C10 | 0x1C11 => Some(Made { access: Access::Ro, name: None, values: Vec::new() }),
-        0x1C12 => {
-            outputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.rx) })
+        0x1C00 => {
+            Some(Made { access: Access::Ro, name: "Sync manager communication type", values: Vec::new() })
         }
-        0x1C13 => {
-            inputs.then(|| Made { access: access(basis.assigns), name: None, values: assigned(basis.tx) })
+        0x1C10 => {
+            Some(Made { access: Access::Ro, name: "Sync manager 0 PDO assignment", values: Vec::new() })
         }
+        0x1C11 => {
+            Some(Made { access: Access::Ro, name: "Sync manager 1 PDO assignment", values: Vec::new() })
+        }
+        0x1C12 => outputs.then(|| Made {
+            access: access(basis.assigns),
+            name: "Sync manager 2 PDO assignment",
+            values: assigned(basis.rx),
+        }),
+        0x1C13 => inputs.then(|| Made {
+            access: access(basis.assigns),
+            name: "Sync manager 3 PDO assignment",
+            values: assigned(basis.tx),
+        }),
         index => {
             let pdo = basis.rx.iter().chain(basis.tx).find(|pdo| pdo.index == index)?;
             let word = |entry: &super::super::read::PdoEntry| {
@@ -87,36 +98,54 @@ fn made<'b>(object: &Object, basis: &Basis<'b>) -> Option<Made<'b>> {
                 }
             };
             let values = pdo.entries.iter().map(word).collect();
-            Some(Made { access: access(!pdo.fixed && basis.maps), name: pdo.name.as_deref(), values })
+            Some(Made {
+                access: access(!pdo.fixed && basis.maps),
+                name: pdo.name.as_deref().unwrap_or_default(),
+                values,
+            })
         }
     }
 }
 
 /// Reports what of the file is not as it follows from its PDOs.
 fn compare(object: &Object, made: &Made<'_>, what: &str, report: &mut Report) {
-    if let (Some(name), Some(made)) = (&object.name, made.name)
-        && !words::alike(name, made)
-    {
-        report.lose(object.at, 1, "the name of a mapping object", "it has that of its PDO");
+    if object.name.as_ref().is_some_and(|name| !words::alike(name, made.name)) {
+        report.lose(
+            object.at,
+            1,
+            "the name of an object that follows from others",
+            "it has one that follows",
+        );
     }
+    let category = |value: &Value| value.flags.category.as_deref().and_then(words::category_of);
     let entries: Vec<&Value> = object.values.iter().filter(|value| value.subindex > 0).collect();
-    if matches!(object.index, 0x1C00 | 0x1C10 | 0x1C11) {
-        return;
+    if entries.iter().filter_map(|entry| category(entry)).any(|category| category != Category::Mandatory) {
+        let why = "what follows from others is mandatory";
+        report.lose(object.at, 1, "the category of an object that follows from others", why);
     }
+    if !matches!(object.index, 0x1C00 | 0x1C10 | 0x1C11) {
+        beyond(object, made, &entries, what, report);
+        defaults(made, &entries, what, report);
+    }
+}
+
+/// Reports entries that a PDO does not fill.
+fn beyond(object: &Object, made: &Made<'_>, entries: &[&Value], what: &str, report: &mut Report) {
     let beyond = entries.get(made.values.len()..).unwrap_or_default();
     if let Some(first) = beyond.first().filter(|_| !matches!(object.index, 0x1C12 | 0x1C13)) {
         let why = format!("its PDO maps {}", made.values.len());
         let facts = beyond.iter().map(|entry| facts(entry)).sum();
         report.lose(object.at, facts, format!("entries of {what} from {} on", first.subindex), why);
     }
-    for (place, entry) in entries.iter().enumerate() {
+}
+
+/// Reports defaults that are not what the PDOs say.
+fn defaults(made: &Made<'_>, entries: &[&Value], what: &str, report: &mut Report) {
+    for (entry, value) in entries.iter().zip(&made.values) {
         let stated = entry.default.as_ref().and_then(|datum| integer(&datum.written));
-        match (made.values.get(place), stated) {
-            (Some(value), Some(stated)) if stated != *value => {
-                let why = format!("0x{stated:X} is not what the PDO says, which is 0x{value:X}");
-                report.lose(entry.at, 1, format!("the default of {what}:{:02X}", entry.subindex), why);
-            }
-            _ => {}
+        if let Some(stated) = stated.filter(|stated| stated != value) {
+            let why = format!("0x{stated:X} is not what the PDO says, which is 0x{value:X}");
+            report.lose(entry.at, 1, format!("the default of {what}:{:02X}", entry.subindex), why);
         }
     }
 }
@@ -132,7 +161,7 @@ fn integer(written: &Written) -> Option<u64> {
 }
 
 /// Who may write it, where that is not what devc would make of it.
-fn access(object: &Object, made: Access) -> Keys {
+fn access(object: &Object, made: Access, report: &mut Report) -> Keys {
     let of = |value: &Value| value.flags.access.as_deref().and_then(words::access_of).unwrap_or(Access::Ro);
     let count = object.values.iter().find(|value| value.subindex == 0).map(of);
     let entries = object.values.iter().find(|value| value.subindex > 0).map(of);
@@ -142,6 +171,21 @@ fn access(object: &Object, made: Access) -> Keys {
     let own = count.filter(|count| *count != all);
     if all != made || is_profile && own.is_some() {
         set(&mut keys, "access", Toml::text(words::access(all)));
+    }
+    let window = |value: &Value| value.flags.write_restrictions.as_deref().and_then(words::window_of);
+    let windows: Vec<_> = object.values.iter().filter(|value| of(value) != Access::Ro).map(window).collect();
+    if let Some(Some(window)) = windows.first().filter(|first| windows.iter().all(|it| it == *first)) {
+        if is_profile && keys.is_empty() {
+            set(&mut keys, "access", Toml::text(words::access(all)));
+        }
+        set(&mut keys, "written", Toml::text(words::window(*window)));
+    } else if windows.iter().any(Option::is_some) {
+        report.lose(
+            object.at,
+            1,
+            "WriteRestrictions of an object that follows from others",
+            "not all entries have it",
+        );
     }
     if let Some(count) = own {
         let table = vec![("access".to_owned(), Toml::text(words::access(count)))];

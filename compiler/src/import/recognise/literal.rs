@@ -12,6 +12,9 @@ pub(super) fn literal(written: &Written, data_type: DataType) -> Result<Toml, &'
         (Written::Number(digits), DataType::Text(length)) => text(digits.as_bytes(), length),
         (Written::Data(bytes), _) => of_bytes(bytes, data_type),
         (Written::Number(words) | Written::Text(words), DataType::Real32 | DataType::Real64) => {
+            if let Some(bits) = bits_of_real(written, data_type) {
+                return of_bytes(&bits.to_le_bytes(), data_type);
+            }
             let value = words.trim().parse::<f64>().ok().or_else(|| number::<i64>(words).map(|it| it as f64));
             value.filter(|value| value.is_finite()).map(Toml::Real).ok_or("it is no number")
         }
@@ -24,6 +27,17 @@ pub(super) fn literal(written: &Written, data_type: DataType) -> Result<Toml, &'
             let value = truth.or_else(|| number::<i128>(words)).ok_or("it is no whole number")?;
             integer(value, data_type)
         }
+    }
+}
+
+/// The bits of a number of 32 bits that are written as a whole number: one so large is none that the type could hold
+/// exactly.
+pub(super) fn bits_of_real(written: &Written, data_type: DataType) -> Option<u32> {
+    match written {
+        Written::Number(words) if data_type == DataType::Real32 => {
+            number::<u32>(words).filter(|bits| *bits > 1 << 24)
+        }
+        _ => None,
     }
 }
 

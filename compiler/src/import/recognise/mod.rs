@@ -94,7 +94,7 @@ fn process_data(
     for (way, pdos) in [(Way::Rx, &rx), (Way::Tx, &tx)] {
         let (leading, following) = axes.pdos(pdos, report);
         for pdo in pdos.iter().filter(|pdo| !following.contains(&pdo.index)) {
-            let mut block = pdos::block(pdo, way, pdos, references, report);
+            let mut block = pdos::block(pdo, (way, pdos), references, derived::room(made, pdo.index), report);
             if leading.contains(&pdo.index) {
                 block.keys.insert(1, ("per-axis".to_owned(), Toml::Bool(true)));
             }
@@ -102,7 +102,7 @@ fn process_data(
         }
         followers.extend(following);
     }
-    let slots = [0x1C12, 0x1C13].map(|index| derived::slots(made, index));
+    let slots = [0x1C12, 0x1C13].map(|index| derived::room(made, index));
     let managers = transport::sync_managers(&device.sync_managers, [&rx, &tx], &followers, slots, report);
     transport::fmmus(&device.fmmus, &managers, report);
     let has = |role: &str| managers.iter().any(|block| block.key.as_deref() == Some(role));

@@ -72,12 +72,12 @@ fn entry_facts(entry: &PdoEntry) -> usize {
     2 + said.into_iter().filter(|said| *said).count()
 }
 
-/// The table of a PDO. `all` are those of its direction.
+/// The table of a PDO. `all` are those of its direction, `room` is how many entries its mapping object has.
 pub(super) fn block(
     pdo: &Pdo,
-    way: Way,
-    all: &[&Pdo],
+    (way, all): (Way, &[&Pdo]),
     references: &References,
+    room: usize,
     report: &mut Report,
 ) -> Block {
     let mut keys = Keys::new();
@@ -95,6 +95,9 @@ pub(super) fn block(
     set(&mut keys, "name", Toml::text(name));
     if !pdo.fixed {
         set(&mut keys, "fixed", Toml::Bool(false));
+    }
+    if !pdo.fixed && room > pdo.entries.len() {
+        set(&mut keys, "max-entries", Toml::Integer(room.min(254) as i128));
     }
     if pdo.mandatory {
         set(&mut keys, "mandatory", Toml::Bool(true));

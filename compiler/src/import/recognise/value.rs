@@ -3,7 +3,7 @@
 use super::super::read::{Choice, Datum, Value};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
-use super::literal::literal;
+use super::literal::{bits_of_real, literal};
 use super::types::data_type;
 use super::words;
 use crate::model::{Access, DataType};
@@ -103,6 +103,13 @@ fn flags(value: &Value, at: &str, keys: &mut Keys, report: &mut Report) {
 
 /// A value as it is written; what identifies a device is in hexadecimal.
 fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut Report) -> Option<Toml> {
+    if let Some(bits) = bits_of_real(&datum.written, data_type) {
+        report.guess(
+            datum.at,
+            format!("the {name} of {at}"),
+            format!("{bits} is taken for the bits of a REAL32"),
+        );
+    }
     match literal(&datum.written, data_type) {
         Ok(Toml::Text(text)) if name == "default" && text.is_empty() => None,
         Ok(Toml::Integer(value)) if data_type == DataType::Uint(32) && at.starts_with("0x10") => {
