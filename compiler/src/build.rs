@@ -12,13 +12,14 @@
 //! include!(concat!(env!("OUT_DIR"), "/c887.rs")); // the module `c887`
 //! ```
 
-use std::path::{Path, PathBuf};
+use std::io::ErrorKind;
+use std::path::{Component, Path, PathBuf};
 use std::{env, fmt, fs, io};
 
 use crate::diagnostic::render::{Style, text};
 use crate::diagnostic::{Diagnostic, Level};
 use crate::emit::rust::{Options, module, snake};
-use crate::source::Disk;
+use crate::source::{Disk, plain};
 use crate::{Compilation, compile};
 
 /// Writes the Rust of a description to `file` in the folder that Cargo keeps for the build script's outputs, as a
@@ -28,9 +29,10 @@ use crate::{Compilation, compile};
 /// when the description changes; warnings are passed on to it.
 ///
 /// # Errors
-/// The messages, if the description has errors; or that the file cannot be written.
+/// The messages, if the description has errors; or that the file cannot be written, or would lie elsewhere.
 pub fn rust(description: impl AsRef<Path>, file: impl AsRef<Path>) -> Result<(), Failed> {
     let (description, file) = (description.as_ref(), file.as_ref());
+    let target = target(env::var_os("OUT_DIR").map(PathBuf::from), file)?;
     let compilation = compile(&Disk, description);
     tell_cargo(description, &compilation);
     let Some(family) = &compilation.family else {
@@ -38,14 +40,29 @@ pub fn rust(description: impl AsRef<Path>, file: impl AsRef<Path>) -> Result<(),
     };
     let name = file.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
     let code = module(family, &snake(&name), &Options::default());
-    let target = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join(file);
     write_if_changed(&target, &code)
         .map_err(|error| Failed(format!("cannot write `{}`: {error}", target.display())))
 }
 
+/// The file in the folder that Cargo keeps for the script: it alone is the script's to write to.
+fn target(folder: Option<PathBuf>, file: &Path) -> Result<PathBuf, Failed> {
+    let folder = folder.filter(|folder| folder.is_absolute());
+    let folder = folder.ok_or_else(|| Failed("there is no `OUT_DIR`: Cargo has to run this".to_owned()))?;
+    let mut parts = file.components();
+    match (parts.next(), parts.next()) {
+        (Some(Component::Normal(name)), None) => Ok(folder.join(name)),
+        _ => Err(Failed(format!("`{}` has to be the name of a file in `OUT_DIR`", file.display()))),
+    }
+}
+
 /// A file that is already right is left alone, so that nothing is built again because of its date.
 fn write_if_changed(file: &Path, text: &str) -> io::Result<()> {
-    if fs::read(file).is_ok_and(|old| old == text.as_bytes()) { Ok(()) } else { fs::write(file, text) }
+    let limit = u64::try_from(text.len()).unwrap_or(u64::MAX).saturating_add(1);
+    match plain::read(file, limit) {
+        Ok(old) if old == text.as_bytes() => Ok(()),
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => fs::write(file, text),
+    }
 }
 
 fn messages(compilation: &Compilation, level: Level) -> impl Iterator<Item = String> {
@@ -82,3 +99,20 @@ impl fmt::Debug for Failed {
 }
 
 impl std::error::Error for Failed {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_script_writes_to_its_own_folder() {
+        let folder = || Some(env::temp_dir());
+        assert_eq!(target(folder(), Path::new("c887.rs")).ok(), Some(env::temp_dir().join("c887.rs")));
+        for file in ["", "..", "../lib.rs", "/lib.rs", "a/../../lib.rs"] {
+            assert!(target(folder(), Path::new(file)).is_err(), "{file}");
+        }
+        for folder in [None, Some(PathBuf::new()), Some(PathBuf::from("src"))] {
+            assert!(target(folder, Path::new("c887.rs")).is_err());
+        }
+    }
+}

@@ -6,6 +6,8 @@ mod compile;
 #[cfg(feature = "derive")]
 pub mod derive;
 pub mod diagnostic;
+#[cfg(feature = "diff")]
+pub mod diff;
 pub mod emit;
 #[cfg(feature = "cli")]
 pub mod explain;

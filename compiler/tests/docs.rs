@@ -20,3 +20,8 @@ fn is_current(path: &str, text: &str) {
 fn reference_of_the_rules() {
     is_current("docs/rules.md", &devc::rules::reference());
 }
+
+#[test]
+fn reference_of_the_changes() {
+    is_current("docs/changes.md", &devc::diff::reference());
+}

@@ -8,7 +8,7 @@ pub mod s300 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -47,8 +47,8 @@ pub mod s300 {
     ///
     /// Models: SERVOSTAR 300-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -69,17 +69,20 @@ pub mod s300 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S300, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S300, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -89,23 +92,25 @@ pub mod s300 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S300".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S300, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S300, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -115,8 +120,6 @@ pub mod s300 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -167,7 +170,7 @@ pub mod s300 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -183,7 +186,7 @@ pub mod s300 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -199,7 +202,7 @@ pub mod s300 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -213,9 +216,9 @@ pub mod s300 {
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -240,7 +243,7 @@ pub mod s300 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -265,7 +268,7 @@ pub mod s300 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -287,7 +290,7 @@ pub mod s300 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -313,9 +316,9 @@ pub mod s300 {
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -340,13 +343,13 @@ pub mod s300 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x170A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod rx_pdo_170a {
             use super::*;
 
@@ -359,13 +362,13 @@ pub mod s300 {
             /// `0x170A:02` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x170A, 2);
 
-            /// `0x170A:03` State of digital output. UINT32, ro, default 0x23020010.
+            /// `0x170A:03` Set value for digital output1/bit 0 and output2/bit 1. UINT32, ro, default 0x23020010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x170A, 3);
         }
 
         /// `0x1710` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod rx_pdo_1710 {
             use super::*;
 
@@ -399,7 +402,7 @@ pub mod s300 {
 
         /// `0x1711` Position interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 11.
         pub mod rx_pdo_1711 {
             use super::*;
 
@@ -409,10 +412,10 @@ pub mod s300 {
             /// `0x1711:01` Position setpoint. UINT32, ro, default 0x60C10020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 1);
 
-            /// `0x1711:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1711:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 2);
 
-            /// `0x1711:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1711:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1711, 3);
 
             /// `0x1711:04` Current limit. UINT32, ro, default 0x20610010.
@@ -427,7 +430,7 @@ pub mod s300 {
 
         /// `0x1712` Velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 12.
         pub mod rx_pdo_1712 {
             use super::*;
 
@@ -437,10 +440,10 @@ pub mod s300 {
             /// `0x1712:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 1);
 
-            /// `0x1712:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1712:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 2);
 
-            /// `0x1712:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1712:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1712, 3);
 
             /// `0x1712:04` Current limit. UINT32, ro, default 0x20610010.
@@ -455,7 +458,7 @@ pub mod s300 {
 
         /// `0x1714` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod rx_pdo_1714 {
             use super::*;
 
@@ -468,16 +471,16 @@ pub mod s300 {
             /// `0x1714:02` DPRVAR2 (lower 16 bits). UINT32, ro, default 0x23060010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 2);
 
-            /// `0x1714:03` DPRVAR3. UINT32, ro, default 0x20900320.
+            /// `0x1714:03` DPRVAR3 (32 bits). UINT32, ro, default 0x20900320.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 3);
 
-            /// `0x1714:04` DPRVAR4. UINT32, ro, default 0x20900420.
+            /// `0x1714:04` DPRVAR4 (32 bits). UINT32, ro, default 0x20900420.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 4);
 
-            /// `0x1714:05` DPRVAR5. UINT32, ro, default 0x20900520.
+            /// `0x1714:05` DPRVAR5 (32 bits). UINT32, ro, default 0x20900520.
             pub const ENTRY_5: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 5);
 
-            /// `0x1714:06` DPRVAR6. UINT32, ro, default 0x20900620.
+            /// `0x1714:06` DPRVAR6 (32 bits). UINT32, ro, default 0x20900620.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1714, 6);
         }
 
@@ -496,7 +499,7 @@ pub mod s300 {
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -512,7 +515,7 @@ pub mod s300 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -529,9 +532,9 @@ pub mod s300 {
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -544,7 +547,7 @@ pub mod s300 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -553,7 +556,7 @@ pub mod s300 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -566,7 +569,7 @@ pub mod s300 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -575,7 +578,7 @@ pub mod s300 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -597,7 +600,7 @@ pub mod s300 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -613,7 +616,7 @@ pub mod s300 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -626,9 +629,9 @@ pub mod s300 {
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -641,10 +644,10 @@ pub mod s300 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -659,7 +662,7 @@ pub mod s300 {
 
         /// `0x1B0A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod tx_pdo_1b0a {
             use super::*;
 
@@ -675,13 +678,13 @@ pub mod s300 {
             /// `0x1B0A:03` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0A, 3);
 
-            /// `0x1B0A:04` Digital I/O. UINT32, ro, default 0x60FD0010.
+            /// `0x1B0A:04` Digital input state. UINT32, ro, default 0x60FD0010.
             pub const ENTRY_4: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0A, 4);
         }
 
         /// `0x1B0B` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod tx_pdo_1b0b {
             use super::*;
 
@@ -694,7 +697,7 @@ pub mod s300 {
             /// `0x1B0B:02` Position actual value 2. UINT32, ro, default 0x20500020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 2);
 
-            /// `0x1B0B:03` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0B:03` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_3: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 3);
 
             /// `0x1B0B:04` Current actual value. UINT32, ro, default 0x60770010.
@@ -703,13 +706,13 @@ pub mod s300 {
             /// `0x1B0B:05` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_5: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 5);
 
-            /// `0x1B0B:06` Drive errors. UINT32, ro, default 0x10030020.
+            /// `0x1B0B:06` Drive error status. UINT32, ro, default 0x10030020.
             pub const ENTRY_6: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 6);
 
             /// `0x1B0B:07` Drive warnings. UINT32, ro, default 0x20000020.
             pub const ENTRY_7: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 7);
 
-            /// `0x1B0B:08` Digital I/O. UINT32, ro, default 0x60FD0020.
+            /// `0x1B0B:08` Digital input state. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_8: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0B, 8);
 
             /// `0x1B0B:09` Analog input 1. UINT32, ro, default 0x20B20110.
@@ -727,7 +730,7 @@ pub mod s300 {
 
         /// `0x1B0C` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod tx_pdo_1b0c {
             use super::*;
 
@@ -737,7 +740,7 @@ pub mod s300 {
             /// `0x1B0C:01` Position actual value 1. UINT32, ro, default 0x60630020.
             pub const ENTRY_1: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0C, 1);
 
-            /// `0x1B0C:02` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0C:02` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_2: Entry<S300, u32, ReadOnly> = Entry::new(0x1B0C, 2);
 
             /// `0x1B0C:03` Statusword. UINT32, ro, default 0x60410010.
@@ -816,8 +819,6 @@ pub mod s300 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -887,17 +888,17 @@ pub mod s300 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S300, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -966,15 +967,19 @@ pub mod s300 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S300, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S300, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -982,6 +987,12 @@ pub mod s300 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -989,27 +1000,43 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -1018,9 +1045,11 @@ pub mod s300 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -1028,62 +1057,98 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -1091,62 +1156,114 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -1154,59 +1271,111 @@ pub mod s300 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S300, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1214,6 +1383,8 @@ pub mod s300 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -1222,40 +1393,64 @@ pub mod s300 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -1265,16 +1460,22 @@ pub mod s300 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S300, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S300, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -1282,6 +1483,12 @@ pub mod s300 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -1289,10 +1496,14 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S300, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -1300,26 +1511,36 @@ pub mod s300 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S300, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S300, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -1327,29 +1548,42 @@ pub mod s300 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S300, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S300, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -1357,47 +1591,69 @@ pub mod s300 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S300, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -1407,54 +1663,67 @@ pub mod s300 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S300, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S300, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S300, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S300, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S300, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S300, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S300, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S300, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S300, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -1538,18 +1807,18 @@ pub mod s300 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S300, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S300, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S300, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S300, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -1582,7 +1851,7 @@ pub mod s300 {
         pub const VELOCITY_SETPOINT: Entry<S300, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -1594,87 +1863,90 @@ pub mod s300 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -1750,8 +2022,8 @@ pub mod s300 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -1760,10 +2032,10 @@ pub mod s300 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -1772,17 +2044,17 @@ pub mod s300 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -1800,10 +2072,8 @@ pub mod s300 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -1812,10 +2082,10 @@ pub mod s300 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -1906,7 +2176,7 @@ pub mod s300 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -1954,7 +2224,7 @@ pub mod s300 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -2193,7 +2463,7 @@ pub mod s300 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -2216,7 +2486,7 @@ pub mod s300 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -2254,13 +2524,13 @@ pub mod s300 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -2268,7 +2538,7 @@ pub mod s300 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -2333,9 +2603,11 @@ pub mod s300 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2382,9 +2654,11 @@ pub mod s300 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -2431,9 +2705,11 @@ pub mod s300 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -2478,11 +2754,11 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2547,9 +2823,9 @@ pub mod s300 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2614,9 +2890,9 @@ pub mod s300 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2675,9 +2951,9 @@ pub mod s300 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2748,11 +3024,12 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -2767,7 +3044,7 @@ pub mod s300 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -2831,9 +3108,11 @@ pub mod s300 {
 
     /// `0x170A` Position interface with digital I/O, 8 bytes.
     ///
-    /// Goes with 0x1B0A.
+    /// Interface 9. Goes with 0x1B0A.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 9.
+    ///
+    /// Assumed, mode: from its name and its set value.
     ///
     /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
     /// 0x1B0A are swapped.
@@ -2843,7 +3122,7 @@ pub mod s300 {
         pub position_setpoint: i32,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x2302:00` State of digital output.
+        /// `0x2302:00` Set value for digital output1/bit 0 and output2/bit 1.
         pub digital_outputs: DigitalOutputs,
     }
 
@@ -2889,9 +3168,9 @@ pub mod s300 {
 
     /// `0x1710` Motion tasks with I/O and actual values, 26 bytes.
     ///
-    /// Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1710 {
         /// `0x607A:00` Motion task target position.
@@ -2982,16 +3261,18 @@ pub mod s300 {
 
     /// `0x1711` Position interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 11. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 11.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
         pub position_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -3057,16 +3338,18 @@ pub mod s300 {
 
     /// `0x1712` Velocity interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 12. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 12.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
         pub velocity_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -3132,23 +3415,23 @@ pub mod s300 {
 
     /// `0x1714` Macro program interface, 20 bytes.
     ///
-    /// Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
+    /// Interface 13. Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1714 {
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
         /// `0x2306:00` DPRVAR2 (lower 16 bits).
         pub dprvar_2_low: i16,
-        /// `0x2090:03` DPRVAR3.
-        pub dprvar_set_dprvar3: i32,
-        /// `0x2090:04` DPRVAR4.
-        pub dprvar_set_dprvar4: i32,
-        /// `0x2090:05` DPRVAR5.
-        pub dprvar_set_dprvar5: i32,
-        /// `0x2090:06` DPRVAR6.
-        pub dprvar_set_dprvar6: i32,
+        /// `0x2090:03` DPRVAR3 (32 bits).
+        pub dprvar_set_dprvar3_32_bits: i32,
+        /// `0x2090:04` DPRVAR4 (32 bits).
+        pub dprvar_set_dprvar4_32_bits: i32,
+        /// `0x2090:05` DPRVAR5 (32 bits).
+        pub dprvar_set_dprvar5_32_bits: i32,
+        /// `0x2090:06` DPRVAR6 (32 bits).
+        pub dprvar_set_dprvar6_32_bits: i32,
     }
 
     impl RxPdo1714 {
@@ -3157,10 +3440,10 @@ pub mod s300 {
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
-            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3.to_le_bytes();
-            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4.to_le_bytes();
-            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5.to_le_bytes();
-            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6.to_le_bytes();
+            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3_32_bits.to_le_bytes();
+            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4_32_bits.to_le_bytes();
+            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5_32_bits.to_le_bytes();
+            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6_32_bits.to_le_bytes();
             [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]
         }
 
@@ -3174,10 +3457,10 @@ pub mod s300 {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
                 dprvar_2_low: i16::from_le_bytes([b2, b3]),
-                dprvar_set_dprvar3: i32::from_le_bytes([b4, b5, b6, b7]),
-                dprvar_set_dprvar4: i32::from_le_bytes([b8, b9, b10, b11]),
-                dprvar_set_dprvar5: i32::from_le_bytes([b12, b13, b14, b15]),
-                dprvar_set_dprvar6: i32::from_le_bytes([b16, b17, b18, b19]),
+                dprvar_set_dprvar3_32_bits: i32::from_le_bytes([b4, b5, b6, b7]),
+                dprvar_set_dprvar4_32_bits: i32::from_le_bytes([b8, b9, b10, b11]),
+                dprvar_set_dprvar5_32_bits: i32::from_le_bytes([b12, b13, b14, b15]),
+                dprvar_set_dprvar6_32_bits: i32::from_le_bytes([b16, b17, b18, b19]),
             }
         }
     }
@@ -3188,10 +3471,10 @@ pub mod s300 {
         pub RxPdo1714View of RxPdo1714, 20;
         controlword, set_controlword: Controlword => 0, 16;
         dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
-        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
-        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
-        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
-        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
+        dprvar_set_dprvar3_32_bits, set_dprvar_set_dprvar3_32_bits: i32 => 32, 32;
+        dprvar_set_dprvar4_32_bits, set_dprvar_set_dprvar4_32_bits: i32 => 64, 32;
+        dprvar_set_dprvar5_32_bits, set_dprvar_set_dprvar5_32_bits: i32 => 96, 32;
+        dprvar_set_dprvar6_32_bits, set_dprvar_set_dprvar6_32_bits: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -3248,9 +3531,9 @@ pub mod s300 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3297,7 +3580,9 @@ pub mod s300 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3348,16 +3633,18 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3409,14 +3696,16 @@ pub mod s300 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3468,7 +3757,9 @@ pub mod s300 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3527,7 +3818,9 @@ pub mod s300 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -3536,7 +3829,7 @@ pub mod s300 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3610,18 +3903,21 @@ pub mod s300 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -3693,7 +3989,9 @@ pub mod s300 {
 
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 9.
+    ///
+    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -3705,7 +4003,7 @@ pub mod s300 {
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
     }
 
@@ -3755,26 +4053,26 @@ pub mod s300 {
 
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
     ///
-    /// More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x2050:00` Position actual value 2, in increments.
         pub position_actual_value_2: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x1003:00` Drive errors.
+        /// `0x1003:00` Drive error status.
         pub drive_errors: i32,
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,
@@ -3874,14 +4172,15 @@ pub mod s300 {
 
     /// `0x1B0C` Macro program interface, 28 bytes.
     ///
-    /// DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
+    /// 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -4040,14 +4339,12 @@ pub mod s300 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -4094,14 +4391,12 @@ pub mod s300 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S300 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -4179,7 +4474,7 @@ pub mod s300 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -4231,11 +4526,11 @@ pub mod s300 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -4392,7 +4687,7 @@ pub mod s300 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -4418,7 +4713,7 @@ pub mod s300 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -4471,25 +4766,25 @@ pub mod s300 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -4555,7 +4850,7 @@ pub mod s300 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -4575,9 +4870,10 @@ pub mod s300 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -4591,7 +4887,7 @@ pub mod s300 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S300, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -4603,17 +4899,17 @@ pub mod s300 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S300, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S300, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S300, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -4627,7 +4923,7 @@ pub mod s300 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -4668,75 +4964,75 @@ pub mod s300 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -4763,7 +5059,8 @@ pub mod s300 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -4780,9 +5077,9 @@ pub mod s300 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -4798,9 +5095,9 @@ pub mod s300 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -4899,7 +5196,7 @@ pub mod s300 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -4943,7 +5240,7 @@ pub mod s300 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -5036,7 +5333,7 @@ pub mod s300 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -5067,16 +5364,16 @@ pub mod s300 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -5103,7 +5400,7 @@ pub mod s300 {
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     20 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -5254,7 +5551,7 @@ pub mod s300 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -5355,7 +5652,7 @@ pub mod s300 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -5588,7 +5885,7 @@ pub mod s300 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -5610,7 +5907,7 @@ pub mod s300 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -5756,8 +6053,8 @@ pub mod s300 {
             objects: &[
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -5776,8 +6073,8 @@ pub mod s300 {
                     60,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     504,
                 ),
@@ -5804,7 +6101,7 @@ pub mod s400 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -5843,8 +6140,8 @@ pub mod s400 {
     ///
     /// Models: SERVOSTAR 400-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -5865,17 +6162,20 @@ pub mod s400 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S400, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S400, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -5885,23 +6185,25 @@ pub mod s400 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S400".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S400, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S400, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -5911,8 +6213,6 @@ pub mod s400 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -5950,7 +6250,7 @@ pub mod s400 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -5966,7 +6266,7 @@ pub mod s400 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -5982,7 +6282,7 @@ pub mod s400 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -5996,9 +6296,9 @@ pub mod s400 {
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -6023,7 +6323,7 @@ pub mod s400 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -6048,7 +6348,7 @@ pub mod s400 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -6070,7 +6370,7 @@ pub mod s400 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -6096,9 +6396,9 @@ pub mod s400 {
             pub const ENTRY_6: Entry<S400, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -6123,13 +6423,13 @@ pub mod s400 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S400, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S400, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -6145,7 +6445,7 @@ pub mod s400 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -6162,9 +6462,9 @@ pub mod s400 {
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -6177,7 +6477,7 @@ pub mod s400 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -6186,7 +6486,7 @@ pub mod s400 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -6199,7 +6499,7 @@ pub mod s400 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -6208,7 +6508,7 @@ pub mod s400 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -6230,7 +6530,7 @@ pub mod s400 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -6246,7 +6546,7 @@ pub mod s400 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -6259,9 +6559,9 @@ pub mod s400 {
             pub const ENTRY_7: Entry<S400, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -6274,10 +6574,10 @@ pub mod s400 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S400, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -6344,8 +6644,6 @@ pub mod s400 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -6415,17 +6713,17 @@ pub mod s400 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S400, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -6494,15 +6792,19 @@ pub mod s400 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S400, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S400, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -6510,6 +6812,12 @@ pub mod s400 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -6517,27 +6825,43 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -6546,9 +6870,11 @@ pub mod s400 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -6556,62 +6882,98 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -6619,62 +6981,114 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -6682,59 +7096,111 @@ pub mod s400 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S400, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -6742,6 +7208,8 @@ pub mod s400 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -6750,40 +7218,64 @@ pub mod s400 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -6793,16 +7285,22 @@ pub mod s400 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S400, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S400, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -6810,6 +7308,12 @@ pub mod s400 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -6817,10 +7321,14 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S400, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -6828,26 +7336,36 @@ pub mod s400 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S400, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S400, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -6855,29 +7373,42 @@ pub mod s400 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S400, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S400, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -6885,47 +7416,69 @@ pub mod s400 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S400, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -6935,54 +7488,67 @@ pub mod s400 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S400, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S400, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S400, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S400, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S400, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S400, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S400, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S400, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S400, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -7066,18 +7632,18 @@ pub mod s400 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S400, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S400, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S400, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S400, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -7110,7 +7676,7 @@ pub mod s400 {
         pub const VELOCITY_SETPOINT: Entry<S400, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -7122,87 +7688,90 @@ pub mod s400 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -7278,8 +7847,8 @@ pub mod s400 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -7288,10 +7857,10 @@ pub mod s400 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -7300,17 +7869,17 @@ pub mod s400 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -7328,10 +7897,8 @@ pub mod s400 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -7340,10 +7907,10 @@ pub mod s400 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -7434,7 +8001,7 @@ pub mod s400 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -7482,7 +8049,7 @@ pub mod s400 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -7721,7 +8288,7 @@ pub mod s400 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -7744,7 +8311,7 @@ pub mod s400 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -7782,13 +8349,13 @@ pub mod s400 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -7796,7 +8363,7 @@ pub mod s400 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -7822,9 +8389,11 @@ pub mod s400 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -7871,9 +8440,11 @@ pub mod s400 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -7920,9 +8491,11 @@ pub mod s400 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -7967,11 +8540,11 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8036,9 +8609,9 @@ pub mod s400 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8103,9 +8676,9 @@ pub mod s400 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8164,9 +8737,9 @@ pub mod s400 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8237,11 +8810,12 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -8256,7 +8830,7 @@ pub mod s400 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -8320,9 +8894,9 @@ pub mod s400 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -8369,7 +8943,9 @@ pub mod s400 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -8420,16 +8996,18 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -8481,14 +9059,16 @@ pub mod s400 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -8540,7 +9120,9 @@ pub mod s400 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -8599,7 +9181,9 @@ pub mod s400 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -8608,7 +9192,7 @@ pub mod s400 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -8682,18 +9266,21 @@ pub mod s400 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -8802,14 +9389,15 @@ pub mod s400 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -8856,14 +9444,15 @@ pub mod s400 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     impl Carries<Tx> for S400 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -8909,7 +9498,7 @@ pub mod s400 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -8961,11 +9550,11 @@ pub mod s400 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -9122,7 +9711,7 @@ pub mod s400 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -9148,7 +9737,7 @@ pub mod s400 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -9201,25 +9790,25 @@ pub mod s400 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -9285,7 +9874,7 @@ pub mod s400 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -9305,9 +9894,10 @@ pub mod s400 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -9321,7 +9911,7 @@ pub mod s400 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S400, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -9333,17 +9923,17 @@ pub mod s400 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S400, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S400, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S400, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -9357,7 +9947,7 @@ pub mod s400 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -9394,75 +9984,75 @@ pub mod s400 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -9489,7 +10079,8 @@ pub mod s400 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -9506,9 +10097,9 @@ pub mod s400 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -9524,9 +10115,9 @@ pub mod s400 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -9623,7 +10214,7 @@ pub mod s400 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -9667,7 +10258,7 @@ pub mod s400 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -9742,7 +10333,7 @@ pub mod s400 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -9773,16 +10364,16 @@ pub mod s400 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -9807,7 +10398,7 @@ pub mod s400 {
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    15 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     18 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -9938,7 +10529,7 @@ pub mod s400 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -10023,7 +10614,7 @@ pub mod s400 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -10184,7 +10775,7 @@ pub mod s400 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -10206,7 +10797,7 @@ pub mod s400 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -10352,8 +10943,8 @@ pub mod s400 {
             objects: &[
                 object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -10372,8 +10963,8 @@ pub mod s400 {
                     58,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     280,
                 ),
@@ -10400,7 +10991,7 @@ pub mod s600 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -10439,8 +11030,8 @@ pub mod s600 {
     ///
     /// Models: SERVOSTAR 600-EC.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -10461,17 +11052,20 @@ pub mod s600 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S600, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S600, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -10481,23 +11075,25 @@ pub mod s600 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S600".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S600, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S600, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -10507,8 +11103,6 @@ pub mod s600 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -10546,7 +11140,7 @@ pub mod s600 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -10562,7 +11156,7 @@ pub mod s600 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -10578,7 +11172,7 @@ pub mod s600 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -10592,9 +11186,9 @@ pub mod s600 {
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -10619,7 +11213,7 @@ pub mod s600 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -10644,7 +11238,7 @@ pub mod s600 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -10666,7 +11260,7 @@ pub mod s600 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -10692,9 +11286,9 @@ pub mod s600 {
             pub const ENTRY_6: Entry<S600, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -10719,13 +11313,13 @@ pub mod s600 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S600, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S600, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -10741,7 +11335,7 @@ pub mod s600 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -10758,9 +11352,9 @@ pub mod s600 {
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -10773,7 +11367,7 @@ pub mod s600 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -10782,7 +11376,7 @@ pub mod s600 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -10795,7 +11389,7 @@ pub mod s600 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -10804,7 +11398,7 @@ pub mod s600 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -10826,7 +11420,7 @@ pub mod s600 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -10842,7 +11436,7 @@ pub mod s600 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -10855,9 +11449,9 @@ pub mod s600 {
             pub const ENTRY_7: Entry<S600, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -10870,10 +11464,10 @@ pub mod s600 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S600, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -10940,8 +11534,6 @@ pub mod s600 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -11011,17 +11603,17 @@ pub mod s600 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S600, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -11090,15 +11682,19 @@ pub mod s600 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S600, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S600, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -11106,6 +11702,12 @@ pub mod s600 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -11113,27 +11715,43 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -11142,9 +11760,11 @@ pub mod s600 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -11152,62 +11772,98 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -11215,62 +11871,114 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -11278,59 +11986,111 @@ pub mod s600 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S600, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -11338,6 +12098,8 @@ pub mod s600 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -11346,40 +12108,64 @@ pub mod s600 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -11389,16 +12175,22 @@ pub mod s600 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S600, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S600, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -11406,6 +12198,12 @@ pub mod s600 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -11413,10 +12211,14 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S600, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -11424,26 +12226,36 @@ pub mod s600 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S600, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S600, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -11451,29 +12263,42 @@ pub mod s600 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S600, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S600, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -11481,47 +12306,69 @@ pub mod s600 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S600, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -11531,54 +12378,67 @@ pub mod s600 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S600, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S600, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S600, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S600, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S600, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S600, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S600, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S600, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S600, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -11662,18 +12522,18 @@ pub mod s600 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S600, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S600, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S600, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S600, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -11706,7 +12566,7 @@ pub mod s600 {
         pub const VELOCITY_SETPOINT: Entry<S600, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -11718,87 +12578,90 @@ pub mod s600 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -11874,8 +12737,8 @@ pub mod s600 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -11884,10 +12747,10 @@ pub mod s600 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -11896,17 +12759,17 @@ pub mod s600 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -11924,10 +12787,8 @@ pub mod s600 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -11936,10 +12797,10 @@ pub mod s600 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -12030,7 +12891,7 @@ pub mod s600 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -12078,7 +12939,7 @@ pub mod s600 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -12317,7 +13178,7 @@ pub mod s600 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -12340,7 +13201,7 @@ pub mod s600 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -12378,13 +13239,13 @@ pub mod s600 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -12392,7 +13253,7 @@ pub mod s600 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -12418,9 +13279,11 @@ pub mod s600 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -12467,9 +13330,11 @@ pub mod s600 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -12516,9 +13381,11 @@ pub mod s600 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -12563,11 +13430,11 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -12632,9 +13499,9 @@ pub mod s600 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -12699,9 +13566,9 @@ pub mod s600 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -12760,9 +13627,9 @@ pub mod s600 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -12833,11 +13700,12 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -12852,7 +13720,7 @@ pub mod s600 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -12916,9 +13784,9 @@ pub mod s600 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -12965,7 +13833,9 @@ pub mod s600 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13016,16 +13886,18 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13077,14 +13949,16 @@ pub mod s600 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13136,7 +14010,9 @@ pub mod s600 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13195,7 +14071,9 @@ pub mod s600 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -13204,7 +14082,7 @@ pub mod s600 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13278,18 +14156,21 @@ pub mod s600 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -13398,14 +14279,15 @@ pub mod s600 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -13452,14 +14334,15 @@ pub mod s600 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
     ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
+    /// Assumed, pdos: the manual names the default in the chapter on the free mapping, which these do not
+    /// have; it is the one that 0x1701 goes with.
     impl Carries<Tx> for S600 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -13505,7 +14388,7 @@ pub mod s600 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -13557,11 +14440,11 @@ pub mod s600 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -13718,7 +14601,7 @@ pub mod s600 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -13744,7 +14627,7 @@ pub mod s600 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -13797,25 +14680,25 @@ pub mod s600 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -13881,7 +14764,7 @@ pub mod s600 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -13901,9 +14784,10 @@ pub mod s600 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -13917,7 +14801,7 @@ pub mod s600 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S600, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -13929,17 +14813,17 @@ pub mod s600 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S600, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S600, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S600, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -13953,7 +14837,7 @@ pub mod s600 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -13990,75 +14874,75 @@ pub mod s600 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -14085,7 +14969,8 @@ pub mod s600 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -14102,9 +14987,9 @@ pub mod s600 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -14120,9 +15005,9 @@ pub mod s600 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -14219,7 +15104,7 @@ pub mod s600 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -14263,7 +15148,7 @@ pub mod s600 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -14338,7 +15223,7 @@ pub mod s600 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -14369,16 +15254,16 @@ pub mod s600 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -14403,7 +15288,7 @@ pub mod s600 {
                     12 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     13 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     14 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    15 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    15 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     16 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     17 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     18 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -14534,7 +15419,7 @@ pub mod s600 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -14619,7 +15504,7 @@ pub mod s600 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -14780,7 +15665,7 @@ pub mod s600 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -14802,7 +15687,7 @@ pub mod s600 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     277,
                 ),
@@ -14948,8 +15833,8 @@ pub mod s600 {
             objects: &[
                 object(ObjectCode::Variable, 0, 42, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 43, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -14968,8 +15853,8 @@ pub mod s600 {
                     58,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     280,
                 ),
@@ -14996,7 +15881,7 @@ pub mod s700 {
     //!
     //! A servo amplifier for one motor. The master commands position, velocity or current every cycle, in
     //! units of the amplifier. What is not in the dictionary is set by commands in ASCII, with the setup
-    //! software.
+    //! software. The EtherCAT interface is for a master with EtherCAT and nothing else.
     //!
     //! A source without a document is a place in the first of these, EtherCAT: Fieldbus Interface for S300
     //! / S400 / S600 / S700:
@@ -15035,8 +15920,8 @@ pub mod s700 {
     ///
     /// Models: S700.
     ///
-    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; the
-    /// vendor id is that of the AKD.
+    /// Source: A public configuration of a master, generated from the vendor's ESI file, product code; akd:
+    /// vendor id.
     ///
     /// Contradicted, product-code: S300 and S700 have more mappings; the ETG asks for a product code or
     /// revision of its own for each process image. Open: how a master tells S300 and S700 from S400 and
@@ -15057,17 +15942,20 @@ pub mod s700 {
     pub mod objects {
         use super::*;
 
-        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192 (3.5, 3.8, 3.9).
+        /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
         ///
         /// The device profile in the lower half, what kind of device it describes in the upper half.
         ///
         /// Assumed, default: not in the manual; a servo drive after profile 402.
         pub const DEVICE_TYPE: Entry<S700, u32, ReadOnly> = Entry::new(0x1000, 0);
 
-        /// `0x1001:00` Error register. UINT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x1001:00` Error register. UINT8, ro.
         ///
         /// Which kinds of error the device has.
-        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly, Tx> = Entry::new(0x1001, 0);
+        ///
+        /// Assumed, pdo: not in the manual; CiA 301 demands it, and 3.7 does not list it among the process
+        /// data.
+        pub const ERROR_REGISTER: Entry<S700, u8, ReadOnly> = Entry::new(0x1001, 0);
 
         /// `0x1002:00` Motion task status value. INT32, ro, TxPDO (3.7.2).
         ///
@@ -15077,23 +15965,25 @@ pub mod s700 {
         /// `0x1003:00` Drive errors. INT32, ro, TxPDO (3.7.2).
         ///
         /// The errors that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_ERRORS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x1003, 0);
 
-        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700" (3.5, 3.8, 3.9).
+        /// `0x1008:00` Manufacturer device name. STRING(4), ro, default "S700".
         ///
         /// The name of the device.
         ///
         /// Assumed, default: not in the manual; tools read it, and what devices answer is not known.
         pub const MANUFACTURER_DEVICE_NAME: Entry<S700, str, ReadOnly> = Entry::new(0x1008, 0);
 
-        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x1009:00` Manufacturer hardware version. STRING(8), ro.
         ///
         /// The version of the hardware.
         ///
         /// Assumed, type: not in the manual; tools read it, and its length is not known.
         pub const MANUFACTURER_HARDWARE_VERSION: Entry<S700, str, ReadOnly> = Entry::new(0x1009, 0);
 
-        /// `0x100A:00` Manufacturer software version. STRING(8), ro (3.5, 3.8, 3.9).
+        /// `0x100A:00` Manufacturer software version. STRING(8), ro.
         ///
         /// The version of the firmware.
         ///
@@ -15103,8 +15993,6 @@ pub mod s700 {
         /// `0x1018` Identity object.
         ///
         /// Which device it is; the same as in the EEPROM.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod identity_object {
             use super::*;
 
@@ -15155,7 +16043,7 @@ pub mod s700 {
 
         /// `0x1701` Position interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 1.
         pub mod rx_pdo_1701 {
             use super::*;
 
@@ -15171,7 +16059,7 @@ pub mod s700 {
 
         /// `0x1702` Velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 2.
         pub mod rx_pdo_1702 {
             use super::*;
 
@@ -15187,7 +16075,7 @@ pub mod s700 {
 
         /// `0x1703` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod rx_pdo_1703 {
             use super::*;
 
@@ -15201,9 +16089,9 @@ pub mod s700 {
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1703, 2);
         }
 
-        /// `0x1704` Position, velocity, torque interface with mode switch.
+        /// `0x1704` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod rx_pdo_1704 {
             use super::*;
 
@@ -15228,7 +16116,7 @@ pub mod s700 {
 
         /// `0x1705` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod rx_pdo_1705 {
             use super::*;
 
@@ -15253,7 +16141,7 @@ pub mod s700 {
 
         /// `0x1706` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 6.
         pub mod rx_pdo_1706 {
             use super::*;
 
@@ -15275,7 +16163,7 @@ pub mod s700 {
 
         /// `0x1707` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod rx_pdo_1707 {
             use super::*;
 
@@ -15301,9 +16189,9 @@ pub mod s700 {
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1707, 6);
         }
 
-        /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod rx_pdo_1708 {
             use super::*;
 
@@ -15328,13 +16216,13 @@ pub mod s700 {
             /// `0x1708:06` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1708, 6);
 
-            /// `0x1708:07` Latch controlword. UINT32, ro, default 0x20A40010.
+            /// `0x1708:07` Latchcontrolword. UINT32, ro, default 0x20A40010.
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1708, 7);
         }
 
         /// `0x170A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod rx_pdo_170a {
             use super::*;
 
@@ -15347,13 +16235,13 @@ pub mod s700 {
             /// `0x170A:02` Controlword. UINT32, ro, default 0x60400010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x170A, 2);
 
-            /// `0x170A:03` State of digital output. UINT32, ro, default 0x23020010.
+            /// `0x170A:03` Set value for digital output1/bit 0 and output2/bit 1. UINT32, ro, default 0x23020010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x170A, 3);
         }
 
         /// `0x1710` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod rx_pdo_1710 {
             use super::*;
 
@@ -15387,7 +16275,7 @@ pub mod s700 {
 
         /// `0x1711` Position interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 11.
         pub mod rx_pdo_1711 {
             use super::*;
 
@@ -15397,10 +16285,10 @@ pub mod s700 {
             /// `0x1711:01` Position setpoint. UINT32, ro, default 0x60C10020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 1);
 
-            /// `0x1711:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1711:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 2);
 
-            /// `0x1711:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1711:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1711, 3);
 
             /// `0x1711:04` Current limit. UINT32, ro, default 0x20610010.
@@ -15415,7 +16303,7 @@ pub mod s700 {
 
         /// `0x1712` Velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 12.
         pub mod rx_pdo_1712 {
             use super::*;
 
@@ -15425,10 +16313,10 @@ pub mod s700 {
             /// `0x1712:01` Velocity setpoint. UINT32, ro, default 0x60FF0020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 1);
 
-            /// `0x1712:02` Additive velocity setpoint. UINT32, ro, default 0x23080020.
+            /// `0x1712:02` Additive velocity setpoint (velocity feed forward). UINT32, ro, default 0x23080020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 2);
 
-            /// `0x1712:03` Additive current setpoint. UINT32, ro, default 0x23070010.
+            /// `0x1712:03` Current feed forward. UINT32, ro, default 0x23070010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1712, 3);
 
             /// `0x1712:04` Current limit. UINT32, ro, default 0x20610010.
@@ -15443,7 +16331,7 @@ pub mod s700 {
 
         /// `0x1714` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod rx_pdo_1714 {
             use super::*;
 
@@ -15456,16 +16344,16 @@ pub mod s700 {
             /// `0x1714:02` DPRVAR2 (lower 16 bits). UINT32, ro, default 0x23060010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 2);
 
-            /// `0x1714:03` DPRVAR3. UINT32, ro, default 0x20900320.
+            /// `0x1714:03` DPRVAR3 (32 bits). UINT32, ro, default 0x20900320.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 3);
 
-            /// `0x1714:04` DPRVAR4. UINT32, ro, default 0x20900420.
+            /// `0x1714:04` DPRVAR4 (32 bits). UINT32, ro, default 0x20900420.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 4);
 
-            /// `0x1714:05` DPRVAR5. UINT32, ro, default 0x20900520.
+            /// `0x1714:05` DPRVAR5 (32 bits). UINT32, ro, default 0x20900520.
             pub const ENTRY_5: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 5);
 
-            /// `0x1714:06` DPRVAR6. UINT32, ro, default 0x20900620.
+            /// `0x1714:06` DPRVAR6 (32 bits). UINT32, ro, default 0x20900620.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1714, 6);
         }
 
@@ -15484,7 +16372,7 @@ pub mod s700 {
 
         /// `0x1B01` Position, velocity interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 1 and 2.
         pub mod tx_pdo_1b01 {
             use super::*;
 
@@ -15500,7 +16388,7 @@ pub mod s700 {
 
         /// `0x1B03` Torque interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 3.
         pub mod tx_pdo_1b03 {
             use super::*;
 
@@ -15517,9 +16405,9 @@ pub mod s700 {
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B03, 3);
         }
 
-        /// `0x1B04` Position, velocity, torque interface with mode switch.
+        /// `0x1B04` Position, velocity, torque interface with operation mode switch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 4.
         pub mod tx_pdo_1b04 {
             use super::*;
 
@@ -15532,7 +16420,7 @@ pub mod s700 {
             /// `0x1B04:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B04, 2);
 
-            /// `0x1B04:03` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B04:03` OPMODE status. UINT32, ro, default 0x23530010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B04, 3);
 
             /// `0x1B04:04` Statusword. UINT32, ro, default 0x60410010.
@@ -15541,7 +16429,7 @@ pub mod s700 {
 
         /// `0x1B05` Position, velocity interface with torque.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 5.
         pub mod tx_pdo_1b05 {
             use super::*;
 
@@ -15554,7 +16442,7 @@ pub mod s700 {
             /// `0x1B05:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B05, 2);
 
-            /// `0x1B05:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B05:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B05, 3);
 
             /// `0x1B05:04` Statusword. UINT32, ro, default 0x60410010.
@@ -15563,7 +16451,7 @@ pub mod s700 {
 
         /// `0x1B06` Position, velocity interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, items 6, 11 and 12.
         pub mod tx_pdo_1b06 {
             use super::*;
 
@@ -15585,7 +16473,7 @@ pub mod s700 {
 
         /// `0x1B07` Position 1 and 2, velocity, torque interface with latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 7.
         pub mod tx_pdo_1b07 {
             use super::*;
 
@@ -15601,7 +16489,7 @@ pub mod s700 {
             /// `0x1B07:03` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 3);
 
-            /// `0x1B07:04` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B07:04` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 4);
 
             /// `0x1B07:05` Statusword. UINT32, ro, default 0x60410010.
@@ -15614,9 +16502,9 @@ pub mod s700 {
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1B07, 7);
         }
 
-        /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch.
+        /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 8.
         pub mod tx_pdo_1b08 {
             use super::*;
 
@@ -15629,10 +16517,10 @@ pub mod s700 {
             /// `0x1B08:02` Current actual value. UINT32, ro, default 0x60770010.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 2);
 
-            /// `0x1B08:03` Internal following error. UINT32, ro, default 0x60F40020.
+            /// `0x1B08:03` Drive-following-error. UINT32, ro, default 0x60F40020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 3);
 
-            /// `0x1B08:04` OPMODE message. UINT32, ro, default 0x23530010.
+            /// `0x1B08:04` Opmode message. UINT32, ro, default 0x23530010.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B08, 4);
 
             /// `0x1B08:05` Statusword. UINT32, ro, default 0x60410010.
@@ -15647,7 +16535,7 @@ pub mod s700 {
 
         /// `0x1B0A` Position interface with digital I/O.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 9.
         pub mod tx_pdo_1b0a {
             use super::*;
 
@@ -15663,13 +16551,13 @@ pub mod s700 {
             /// `0x1B0A:03` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0A, 3);
 
-            /// `0x1B0A:04` Digital I/O. UINT32, ro, default 0x60FD0010.
+            /// `0x1B0A:04` Digital input state. UINT32, ro, default 0x60FD0010.
             pub const ENTRY_4: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0A, 4);
         }
 
         /// `0x1B0B` Motion tasks with I/O and actual values.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 10.
         pub mod tx_pdo_1b0b {
             use super::*;
 
@@ -15682,7 +16570,7 @@ pub mod s700 {
             /// `0x1B0B:02` Position actual value 2. UINT32, ro, default 0x20500020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 2);
 
-            /// `0x1B0B:03` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0B:03` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_3: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 3);
 
             /// `0x1B0B:04` Current actual value. UINT32, ro, default 0x60770010.
@@ -15691,13 +16579,13 @@ pub mod s700 {
             /// `0x1B0B:05` Statusword. UINT32, ro, default 0x60410010.
             pub const ENTRY_5: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 5);
 
-            /// `0x1B0B:06` Drive errors. UINT32, ro, default 0x10030020.
+            /// `0x1B0B:06` Drive error status. UINT32, ro, default 0x10030020.
             pub const ENTRY_6: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 6);
 
             /// `0x1B0B:07` Drive warnings. UINT32, ro, default 0x20000020.
             pub const ENTRY_7: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 7);
 
-            /// `0x1B0B:08` Digital I/O. UINT32, ro, default 0x60FD0020.
+            /// `0x1B0B:08` Digital input state. UINT32, ro, default 0x60FD0020.
             pub const ENTRY_8: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0B, 8);
 
             /// `0x1B0B:09` Analog input 1. UINT32, ro, default 0x20B20110.
@@ -15715,7 +16603,7 @@ pub mod s700 {
 
         /// `0x1B0C` Macro program interface.
         ///
-        /// Source: 3.5.
+        /// Source: 3.5, item 13.
         pub mod tx_pdo_1b0c {
             use super::*;
 
@@ -15725,7 +16613,7 @@ pub mod s700 {
             /// `0x1B0C:01` Position actual value 1. UINT32, ro, default 0x60630020.
             pub const ENTRY_1: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0C, 1);
 
-            /// `0x1B0C:02` Actual velocity (counts). UINT32, ro, default 0x606C0020.
+            /// `0x1B0C:02` Velocity actual value. UINT32, ro, default 0x606C0020.
             pub const ENTRY_2: Entry<S700, u32, ReadOnly> = Entry::new(0x1B0C, 2);
 
             /// `0x1B0C:03` Statusword. UINT32, ro, default 0x60410010.
@@ -15804,8 +16692,6 @@ pub mod s700 {
         /// `0x1C32` SM output parameter.
         ///
         /// How the outputs, the data from the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_output_parameter {
             use super::*;
 
@@ -15875,17 +16761,17 @@ pub mod s700 {
             /// How often the cycle was too short for the device to finish its work.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S700, u16, ReadOnly> = Entry::new(0x1C32, 12);
 
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C32, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C32, 32);
         }
 
         /// `0x1C33` SM input parameter.
         ///
         /// How the inputs, the data for the master, keep time, and how well they do.
-        ///
-        /// Source: 3.5, 3.8, 3.9.
         pub mod sm_input_parameter {
             use super::*;
 
@@ -15954,15 +16840,19 @@ pub mod s700 {
             /// How often the cycle was too short for the device to finish its work; the same as for the outputs.
             pub const CYCLE_TIME_TOO_SMALL: Entry<S700, u16, ReadOnly> = Entry::new(0x1C33, 12);
 
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             ///
             /// Whether the device is out of step with the master; the same as for the outputs.
-            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly, Tx> = Entry::new(0x1C33, 32);
+            ///
+            /// Assumed, pdo: not in the manual; usual with distributed clocks.
+            pub const SYNC_ERROR: Entry<S700, bool, ReadOnly> = Entry::new(0x1C33, 32);
         }
 
         /// `0x2000:00` Drive warnings. INT32, ro, TxPDO (3.7.2).
         ///
         /// The warnings that are present.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DRIVE_WARNINGS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2000, 0);
 
         /// `0x2030` Macro variables DPRVAR9 to DPRVAR16.
@@ -15970,6 +16860,12 @@ pub mod s700 {
         /// Values from a macro program in the amplifier.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual {
             use super::*;
 
@@ -15977,27 +16873,43 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2030, 0);
 
             /// `0x2030:01` DPRVAR9. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 1);
 
             /// `0x2030:02` DPRVAR10. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 2);
 
             /// `0x2030:03` DPRVAR11. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 3);
 
             /// `0x2030:04` DPRVAR12. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 4);
 
             /// `0x2030:05` DPRVAR13. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 5);
 
             /// `0x2030:06` DPRVAR14. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 6);
 
             /// `0x2030:07` DPRVAR15. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 7);
 
             /// `0x2030:08` DPRVAR16. INT32, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2030, 8);
         }
 
@@ -16006,9 +16918,11 @@ pub mod s700 {
         /// The position of a second, external encoder.
         ///
         /// Updated in each bus cycle. Recorded as PFB0.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const POSITION_ACTUAL_VALUE_2: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2050, 0);
 
-        /// `0x2054` EnDat 2.2 diagnostics.
+        /// `0x2054` ENDAT 2.2 diagnose information.
         ///
         /// What an EnDat 2.2 encoder says of its health, as EN22CNFG and EN22DCNT choose; the encoder's
         /// documents tell what it means.
@@ -16016,62 +16930,98 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
-        pub mod endat_2_2_diagnostics {
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
+        pub mod endat_2_2_diagnose_information {
             use super::*;
 
             /// `0x2054:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2054, 0);
 
-            /// `0x2054:01` Diagnostic value 1. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
+            /// `0x2054:01` Diagnose information 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 1);
 
-            /// `0x2054:02` Diagnostic value 2. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
+            /// `0x2054:02` Diagnose information 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 2);
 
-            /// `0x2054:03` Diagnostic value 3. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
+            /// `0x2054:03` Diagnose information 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 3);
 
-            /// `0x2054:04` Diagnostic value 4. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
+            /// `0x2054:04` Diagnose information 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 4);
 
-            /// `0x2054:05` Diagnostic value 5. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
+            /// `0x2054:05` Diagnose information 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 5);
 
-            /// `0x2054:06` Diagnostic value 6. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
+            /// `0x2054:06` Diagnose information 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 6);
 
-            /// `0x2054:07` Diagnostic value 7. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
+            /// `0x2054:07` Diagnose information 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 7);
 
-            /// `0x2054:08` Diagnostic value 8. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
+            /// `0x2054:08` Diagnose information 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 8);
 
-            /// `0x2054:09` Diagnostic value 9. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
+            /// `0x2054:09` Diagnose information 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 9);
 
-            /// `0x2054:0A` Diagnostic value 10. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
+            /// `0x2054:0A` Diagnose information 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 10);
 
-            /// `0x2054:0B` Diagnostic value 11. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
+            /// `0x2054:0B` Diagnose information 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 11);
 
-            /// `0x2054:0C` Diagnostic value 12. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
+            /// `0x2054:0C` Diagnose information 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 12);
 
-            /// `0x2054:0D` Diagnostic value 13. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
+            /// `0x2054:0D` Diagnose information 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 13);
 
-            /// `0x2054:0E` Diagnostic value 14. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
+            /// `0x2054:0E` Diagnose information 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 14);
 
-            /// `0x2054:0F` Diagnostic value 15. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
+            /// `0x2054:0F` Diagnose information 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 15);
 
-            /// `0x2054:10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub const DIAGNOSTIC_VALUE_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
+            /// `0x2054:10` Diagnose information 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const DIAGNOSE_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2054, 16);
         }
 
-        /// `0x2055` EnDat 2.2 additional information 1.
+        /// `0x2055` ENDAT 2.2 additional information 1.
         ///
         /// The first kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A1CNT choose; the
         /// encoder's documents tell what it means.
@@ -16079,62 +17029,114 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_1 {
             use super::*;
 
             /// `0x2055:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2055, 0);
 
-            /// `0x2055:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 1);
+            /// `0x2055:01` Additional information 1, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 1);
 
-            /// `0x2055:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 2);
+            /// `0x2055:02` Additional information 1, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 2);
 
-            /// `0x2055:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 3);
+            /// `0x2055:03` Additional information 1, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 3);
 
-            /// `0x2055:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 4);
+            /// `0x2055:04` Additional information 1, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 4);
 
-            /// `0x2055:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 5);
+            /// `0x2055:05` Additional information 1, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 5);
 
-            /// `0x2055:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 6);
+            /// `0x2055:06` Additional information 1, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 6);
 
-            /// `0x2055:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 7);
+            /// `0x2055:07` Additional information 1, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 7);
 
-            /// `0x2055:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 8);
+            /// `0x2055:08` Additional information 1, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 8);
 
-            /// `0x2055:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 9);
+            /// `0x2055:09` Additional information 1, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 9);
 
-            /// `0x2055:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 10);
+            /// `0x2055:0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 10);
 
-            /// `0x2055:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 11);
+            /// `0x2055:0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 11);
 
-            /// `0x2055:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 12);
+            /// `0x2055:0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 12);
 
-            /// `0x2055:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 13);
+            /// `0x2055:0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 13);
 
-            /// `0x2055:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 14);
+            /// `0x2055:0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 14);
 
-            /// `0x2055:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 15);
+            /// `0x2055:0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 15);
 
-            /// `0x2055:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2055, 16);
+            /// `0x2055:10` Additional information 1, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_1_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2055, 16);
         }
 
-        /// `0x2056` EnDat 2.2 additional information 2.
+        /// `0x2056` ENDAT 2.2 additional information 2.
         ///
         /// The second kind of additional data of an EnDat 2.2 encoder, as EN22CNFG and EN22A2CNT choose; the
         /// encoder's documents tell what it means.
@@ -16142,59 +17144,111 @@ pub mod s700 {
         /// Needs firmware 5.91 or newer, and an encoder that has it.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod endat_2_2_additional_information_2 {
             use super::*;
 
             /// `0x2056:00` Highest subindex supported. UINT8, ro, default 16.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2056, 0);
 
-            /// `0x2056:01` Additional information 1. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_1: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 1);
+            /// `0x2056:01` Additional information 2, value 1. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_1: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 1);
 
-            /// `0x2056:02` Additional information 2. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_2: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 2);
+            /// `0x2056:02` Additional information 2, value 2. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_2: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 2);
 
-            /// `0x2056:03` Additional information 3. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_3: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 3);
+            /// `0x2056:03` Additional information 2, value 3. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_3: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 3);
 
-            /// `0x2056:04` Additional information 4. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_4: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 4);
+            /// `0x2056:04` Additional information 2, value 4. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_4: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 4);
 
-            /// `0x2056:05` Additional information 5. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_5: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 5);
+            /// `0x2056:05` Additional information 2, value 5. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_5: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 5);
 
-            /// `0x2056:06` Additional information 6. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_6: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 6);
+            /// `0x2056:06` Additional information 2, value 6. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_6: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 6);
 
-            /// `0x2056:07` Additional information 7. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_7: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 7);
+            /// `0x2056:07` Additional information 2, value 7. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_7: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 7);
 
-            /// `0x2056:08` Additional information 8. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_8: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 8);
+            /// `0x2056:08` Additional information 2, value 8. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_8: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 8);
 
-            /// `0x2056:09` Additional information 9. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_9: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 9);
+            /// `0x2056:09` Additional information 2, value 9. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_9: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 9);
 
-            /// `0x2056:0A` Additional information 10. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_10: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 10);
+            /// `0x2056:0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_10: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 10);
 
-            /// `0x2056:0B` Additional information 11. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_11: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 11);
+            /// `0x2056:0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_11: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 11);
 
-            /// `0x2056:0C` Additional information 12. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_12: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 12);
+            /// `0x2056:0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_12: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 12);
 
-            /// `0x2056:0D` Additional information 13. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_13: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 13);
+            /// `0x2056:0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_13: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 13);
 
-            /// `0x2056:0E` Additional information 14. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_14: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 14);
+            /// `0x2056:0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_14: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 14);
 
-            /// `0x2056:0F` Additional information 15. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_15: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 15);
+            /// `0x2056:0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_15: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 15);
 
-            /// `0x2056:10` Additional information 16. INT16, ro, TxPDO.
-            pub const ADDITIONAL_INFORMATION_16: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2056, 16);
+            /// `0x2056:10` Additional information 2, value 16. INT16, ro, TxPDO.
+            ///
+            /// Assumed, name: one row has all sixteen.
+            pub const ADDITIONAL_INFORMATION_2_VALUE_16: Entry<S700, i16, ReadOnly, Tx> =
+                Entry::new(0x2056, 16);
         }
 
         /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -16202,6 +17256,8 @@ pub mod s700 {
         /// Limits the current in every mode.
         ///
         /// Taken in each bus cycle. Recorded as DPRILIMIT.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const CURRENT_LIMIT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2061, 0).measured_in(units::PEAK_CURRENT);
 
@@ -16210,40 +17266,64 @@ pub mod s700 {
         /// Values for a macro program in the amplifier.
         ///
         /// Source: 3.7.1.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub mod dprvar_set {
             use super::*;
 
             /// `0x2090:00` Highest subindex supported. UINT8, ro, default 8.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2090, 0);
 
-            /// `0x2090:01` DPRVAR1. INT32, rw, RxPDO.
-            pub const DPRVAR1: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
+            /// `0x2090:01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR1_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 1);
 
-            /// `0x2090:02` DPRVAR2. INT32, rw, RxPDO.
-            pub const DPRVAR2: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
+            /// `0x2090:02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR2_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 2);
 
-            /// `0x2090:03` DPRVAR3. INT32, rw, RxPDO.
-            pub const DPRVAR3: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
+            /// `0x2090:03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR3_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 3);
 
-            /// `0x2090:04` DPRVAR4. INT32, rw, RxPDO.
-            pub const DPRVAR4: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
+            /// `0x2090:04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR4_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 4);
 
-            /// `0x2090:05` DPRVAR5. INT32, rw, RxPDO.
-            pub const DPRVAR5: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
+            /// `0x2090:05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR5_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 5);
 
-            /// `0x2090:06` DPRVAR6. INT32, rw, RxPDO.
-            pub const DPRVAR6: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
+            /// `0x2090:06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR6_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 6);
 
-            /// `0x2090:07` DPRVAR7. INT32, rw, RxPDO.
-            pub const DPRVAR7: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
+            /// `0x2090:07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR7_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 7);
 
-            /// `0x2090:08` DPRVAR8. INT32, rw, RxPDO.
-            pub const DPRVAR8: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
+            /// `0x2090:08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
+            ///
+            /// Assumed, access: no column for it; the master writes a set value and can read it back.
+            pub const DPRVAR8_32_BITS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2090, 8);
         }
 
         /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments (3.7.2).
         ///
         /// The latched position that the latch controlword has chosen, by latch and edge.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         ///
         /// Assumed, unit: the manual gives none; the other positions of the encoder have it.
         pub const LATCH_POSITION: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x20A0, 0);
@@ -16253,16 +17333,22 @@ pub mod s700 {
         /// Arms the latches and chooses which latched position 0x20A0 shows.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const LATCH_CONTROLWORD: Entry<S700, LatchControlword, ReadWrite, Rx> = Entry::new(0x20A4, 0);
 
         /// `0x20A5:00` Latch statusword. UINT16, ro, TxPDO (3.7.2, 3.12).
         ///
         /// Which latches hold a position, and which of them 0x20A0 shows.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const LATCH_STATUSWORD: Entry<S700, LatchStatusword, ReadOnly, Tx> = Entry::new(0x20A5, 0);
 
         /// `0x20B1:00` Digital software inputs. INT32, rw, RxPDO (3.7.1).
         ///
-        /// Inputs that the master sets in place of a terminal.
+        /// The value of the digital inputs that software sets.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_SOFTWARE_INPUTS: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x20B1, 0);
 
         /// `0x20B2` Analog inputs.
@@ -16270,6 +17356,12 @@ pub mod s700 {
         /// The voltages at the analog inputs.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod analog_inputs {
             use super::*;
 
@@ -16277,10 +17369,14 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x20B2, 0);
 
             /// `0x20B2:01` Analog input 1. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_1: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 1).measured_in(units::MILLIVOLT);
 
             /// `0x20B2:02` Analog input 2. INT16, ro, TxPDO, in mV.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const ANALOG_INPUT_2: Entry<S700, i16, ReadOnly, Tx, Voltage> =
                 Entry::new(0x20B2, 2).measured_in(units::MILLIVOLT);
         }
@@ -16288,26 +17384,36 @@ pub mod s700 {
         /// `0x2300:00` Jog velocity. INT32, rw, RxPDO (3.7.1).
         ///
         /// The velocity of jogging.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const JOG_VELOCITY: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2300, 0);
 
         /// `0x2302:00` State of digital output. INT16, rw, RxPDO (3.7.1).
         ///
         /// Sets the two digital outputs.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DIGITAL_OUTPUTS: Entry<S700, DigitalOutputs, ReadWrite, Rx> = Entry::new(0x2302, 0);
 
         /// `0x2303:00` Motion task control word. INT32, rw, RxPDO (3.7.1).
         ///
         /// How the present motion task is to be carried out.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_CONTROL_WORD: Entry<S700, i32, ReadWrite, Rx> = Entry::new(0x2303, 0);
 
         /// `0x2305:00` DPRVAR1 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR1, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR1.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_1_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2305, 0);
 
         /// `0x2306:00` DPRVAR2 (lower 16 bits). INT16, rw, RxPDO (3.7.1).
         ///
-        /// The lower half of macro variable DPRVAR2, for short mappings.
+        /// Writes the lower 16 bits of macro variable DPRVAR2.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const DPRVAR_2_LOW: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2306, 0);
 
         /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280 (3.7.1).
@@ -16315,29 +17421,42 @@ pub mod s700 {
         /// Current feed forward for the positioning modes and for speed control.
         ///
         /// Taken in each bus cycle. Recorded as IVORCMD.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_CURRENT_SETPOINT: Entry<S700, i16, ReadWrite, Rx, Scale> =
             Entry::new(0x2307, 0).measured_in(units::PEAK_CURRENT);
 
-        /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432 (3.7.1).
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+        /// 33554432 (3.7.1).
         ///
         /// Velocity feed forward for the positioning modes. The amplifier derives it from the position set
         /// values itself; it takes this value instead once bit 0x20 of FFTSW is set, and multiplies it by
         /// GPFFV.
         ///
         /// Recorded as VVORCMD before, and as VSETFF after the multiplication.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ADDITIVE_VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x2308, 0).measured_in(units::VELOCITY_FEED_FORWARD);
 
         /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO (3.7.1).
         ///
-        /// Digital override: makes the motion task run slower or faster.
+        /// The digital override.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const MOTION_TASK_VELOCITY_OVERRIDE: Entry<S700, i16, ReadWrite, Rx> = Entry::new(0x2310, 0);
 
         /// `0x2350` Lower halves of DPRVAR9 to DPRVAR16.
         ///
-        /// The lower 16 bits of the macro variables, for short mappings.
+        /// The lower 16 bits of the macro variables.
         ///
         /// Source: 3.7.2.
+        ///
+        /// Assumed, name: the rows have names for the entries only.
+        ///
+        /// Assumed, kind: no column for it; the rows of one index have one type.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub mod dprvar_actual_low {
             use super::*;
 
@@ -16345,47 +17464,69 @@ pub mod s700 {
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x2350, 0);
 
             /// `0x2350:01` DPRVAR9 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR9_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 1);
 
             /// `0x2350:02` DPRVAR10 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR10_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 2);
 
             /// `0x2350:03` DPRVAR11 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR11_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 3);
 
             /// `0x2350:04` DPRVAR12 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR12_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 4);
 
             /// `0x2350:05` DPRVAR13 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR13_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 5);
 
             /// `0x2350:06` DPRVAR14 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR14_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 6);
 
             /// `0x2350:07` DPRVAR15 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR15_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 7);
 
             /// `0x2350:08` DPRVAR16 (lower 16 bits). INT16, ro, TxPDO.
+            ///
+            /// Assumed, access: no column for it; an actual value is only read.
             pub const DPRVAR16_LOWER_16_BITS: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2350, 8);
         }
 
         /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO (3.7.2).
         ///
-        /// Outputs that the master reads in place of a terminal.
+        /// The value of the digital outputs that software sets.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const DIGITAL_SOFTWARE_OUTPUTS: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x2351, 0);
 
-        /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO (3.7.1).
+        /// `0x2352:00` Opemode request. UINT16, rw, RxPDO (3.7.1).
         ///
         /// The mode of operation that is asked for, by the number of OPMODE and not by the code of 0x6060.
         ///
         /// Taken outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const OPMODE_REQUEST: Entry<S700, u16, ReadWrite, Rx> = Entry::new(0x2352, 0);
 
-        /// `0x2353:00` OPMODE message. INT16, ro, TxPDO (3.7.2).
+        /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO (3.7.2).
         ///
         /// The mode of operation that is active, by the number of OPMODE and not by the code of 0x6061.
         ///
         /// Updated outside the bus cycle.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const OPMODE_MESSAGE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x2353, 0);
 
         /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO (3.4.2, 3.7.1, 3.7.2).
@@ -16395,54 +17536,67 @@ pub mod s700 {
         /// mapped.
         ///
         /// Handled in the background, as what comes through the serial port is.
+        ///
+        /// Assumed, access: no column for it; the master writes a set value and can read it back.
         pub const ASCII_DATA: Entry<S700, i32, ReadWrite, RxTx> = Entry::new(0x2355, 0);
 
         /// `0x3570:00` Actual current value. INT32, ro, TxPDO, in mA (3.7.2).
         ///
         /// The current of the motor.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_CURRENT_VALUE: Entry<S700, i32, ReadOnly, Tx, Current> =
             Entry::new(0x3570, 0).measured_in(units::MILLIAMPERE);
 
         /// `0x3612:00` Actual motor temperature. INT16, ro, TxPDO (3.7.2).
         ///
-        /// The temperature of the motor in the unit that is configured.
+        /// The temperature of the motor, in the unit that is configured; see TEMPM.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_MOTOR_TEMPERATURE: Entry<S700, i16, ReadOnly, Tx> = Entry::new(0x3612, 0);
 
         /// `0x3618:00` Actual velocity value. INT32, ro, TxPDO (3.7.2).
         ///
         /// The velocity of the motor in SI units.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const ACTUAL_VELOCITY_VALUE: Entry<S700, i32, ReadOnly, Tx> = Entry::new(0x3618, 0);
 
         /// `0x361A:00` Actual value of the bus voltage. INT16, ro, TxPDO, in V (3.7.2).
         ///
         /// The voltage of the DC link.
+        ///
+        /// Assumed, access: no column for it; an actual value is only read.
         pub const BUS_VOLTAGE: Entry<S700, i16, ReadOnly, Tx, Voltage> =
             Entry::new(0x361A, 0).measured_in(units::VOLT);
 
-        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4.2, 3.7.1).
+        /// `0x6040:00` Controlword. UINT16, rw, RxPDO (3.4, 3.4.2, 3.7.1).
         ///
-        /// Commands the drive state machine and, with the bits that depend on the mode, the motion.
+        /// Moves the drive state machine. Every fixed mapping of set values has it.
         ///
         /// Taken outside the bus cycle while the bus is idle.
         pub const CONTROLWORD: Entry<S700, Controlword, ReadWrite, Rx> = Entry::new(0x6040, 0);
 
-        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4.3, 3.7.2).
+        /// `0x6041:00` Statusword. UINT16, ro, TxPDO (3.4, 3.4.3, 3.5, 3.7.2).
         ///
-        /// Shows the state of the drive and, with the bits that depend on the mode, that of the motion.
+        /// Shows the state of the drive. Every fixed mapping of actual values has it.
         ///
         /// Updated outside the bus cycle while the bus is idle.
         pub const STATUSWORD: Entry<S700, Statusword, ReadOnly, Tx> = Entry::new(0x6041, 0);
 
-        /// `0x6060:00` Modes of operation. INT8, rw, RxPDO (3.6.1, 3.8).
+        /// `0x6060:00` Modes of operation. INT8, rw (3.6.1, 3.7, 3.8).
         ///
         /// The mode of operation that is asked for, by the code of the profile or by the manufacturer's, which
         /// is negative.
-        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x6060, 0);
+        pub const MODES_OF_OPERATION: Entry<S700, i8, ReadWrite> = Entry::new(0x6060, 0);
 
-        /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO (3.5, 3.8, 3.9).
+        /// `0x6061:00` Modes of operation display. INT8, ro.
         ///
         /// The mode of operation that is active.
-        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly, Tx> = Entry::new(0x6061, 0);
+        ///
+        /// Assumed, pdo: not in the manual, which gives the codes for selection and feedback, but no object for
+        /// the latter.
+        pub const MODES_OF_OPERATION_DISPLAY: Entry<S700, i8, ReadOnly> = Entry::new(0x6061, 0);
 
         /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments (3.7.2).
         ///
@@ -16526,18 +17680,18 @@ pub mod s700 {
         /// The cycle time of the process data, value × 10^index seconds, instead of the one stored in PTBASE. 2
         /// ms can be written as 2 × 10⁻³ as well as 20 × 10⁻⁴.
         ///
-        /// Source: 3.6.1, 3.9.
+        /// Source: 3.6.1, 3.7, 3.9.
         pub mod interpolation_time_period {
             use super::*;
 
             /// `0x60C2:00` Highest subindex supported. UINT8, ro, default 2.
             pub const HIGHEST_SUBINDEX_SUPPORTED: Entry<S700, u8, ReadOnly> = Entry::new(0x60C2, 0);
 
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_PERIOD_VALUE: Entry<S700, u8, ReadWrite, Rx> = Entry::new(0x60C2, 1);
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_UNITS: Entry<S700, u8, ReadWrite> = Entry::new(0x60C2, 1);
 
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
-            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite, Rx> = Entry::new(0x60C2, 2);
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
+            pub const INTERPOLATION_TIME_INDEX: Entry<S700, i8, ReadWrite> = Entry::new(0x60C2, 2);
         }
 
         /// `0x60F4:00` Internal following error. INT32, ro, TxPDO, in increments (3.7.2).
@@ -16570,7 +17724,7 @@ pub mod s700 {
         pub const VELOCITY_SETPOINT: Entry<S700, i32, ReadWrite, Rx, AngularVelocity> =
             Entry::new(0x60FF, 0).measured_in(units::VELOCITY);
 
-        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0 (3.5, 3.8, 3.9).
+        /// `0x6502:00` Supported drive modes. UINT32, ro, default 0x03A0.
         ///
         /// The modes of operation that the drive knows, a bit for each.
         ///
@@ -16582,87 +17736,90 @@ pub mod s700 {
     ///
     /// Bits 0 to 3 and 7 move the state machine, most of them by an edge. Each bit is looked at on its own.
     ///
-    /// Source: 3.4.2, 3.4.3.
+    /// Source: 3.4.2.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub struct Controlword(pub u16);
 
     impl Controlword {
-        /// Bit 0: switch on.
+        /// Bit 0: enable if bit 1 = 1.
         ///
         /// On the rising edge: Enables the amplifier if bit 1 is set.
         ///
-        /// On the falling edge: Disables the amplifier at once, as DIS does.
-        pub const fn switch_on(self) -> bool {
+        /// On the falling edge: Disables the amplifier, as DIS does.
+        pub const fn enable_if_bit_1_1(self) -> bool {
             self.0 & 1 << 0 != 0
         }
 
         /// The word with bit 0 as given.
         #[must_use]
-        pub const fn with_switch_on(self, on: bool) -> Self {
+        pub const fn with_enable_if_bit_1_1(self, on: bool) -> Self {
             Self(self.0 & !(1 << 0) | (on as u16) << 0)
         }
 
-        /// Bit 1: enable voltage.
+        /// Bit 1: enable switch on.
         ///
         /// On the rising edge: Lifts the switch-on inhibit.
         ///
-        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier, unless bit 0 falls with
-        /// it.
-        pub const fn enable_voltage(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECSTOP and disables the amplifier; as printed, if bit 1
+        /// does not fall.
+        pub const fn enable_switch_on(self) -> bool {
             self.0 & 1 << 1 != 0
         }
 
         /// The word with bit 1 as given.
         #[must_use]
-        pub const fn with_enable_voltage(self, on: bool) -> Self {
+        pub const fn with_enable_switch_on(self, on: bool) -> Self {
             Self(self.0 & !(1 << 1) | (on as u16) << 1)
         }
 
-        /// Bit 2: quick stop.
+        /// Bit 2: enable for bit 3 and show bit 5 in the statusword.
         ///
-        /// Releases bit 3, and bit 5 of the statusword.
+        /// The quick stop bit of the profile.
         ///
         /// On the rising edge: Bit 5 of the statusword is shown if bits 0 and 1 are set; bit 3 has effect.
         ///
-        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled, unless bit 0 or 1 falls with it.
-        pub const fn quick_stop(self) -> bool {
+        /// On the falling edge: Brakes on the ramp DECDIS and stays enabled; as printed, if neither bit 1 nor
+        /// bit 2 falls.
+        pub const fn enable_for_bit_3_and_show_bit_5_in_the_statusword(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
         /// The word with bit 2 as given.
         #[must_use]
-        pub const fn with_quick_stop(self, on: bool) -> Self {
+        pub const fn with_enable_for_bit_3_and_show_bit_5_in_the_statusword(self, on: bool) -> Self {
             Self(self.0 & !(1 << 2) | (on as u16) << 2)
         }
 
-        /// Bit 3: enable operation.
+        /// Bit 3: common set-point enable.
         ///
         /// On the rising edge: Set values are taken if bits 0 to 2 are set.
         ///
         /// On the falling edge: Set values are no longer taken; the drive stops in speed control (OPMODE 0).
-        pub const fn enable_operation(self) -> bool {
+        pub const fn common_set_point_enable(self) -> bool {
             self.0 & 1 << 3 != 0
         }
 
         /// The word with bit 3 as given.
         #[must_use]
-        pub const fn with_enable_operation(self, on: bool) -> Self {
+        pub const fn with_common_set_point_enable(self, on: bool) -> Self {
             Self(self.0 & !(1 << 3) | (on as u16) << 3)
         }
 
-        /// Bit 7: fault reset.
+        /// Bit 7: quit fault.
+        ///
+        /// The fault reset of the profile.
         ///
         /// On the rising edge: Clears the fault, as CLRFAULT does. With bit 19 of SERCSET set, a fault that
-        /// needs a hardware reset ends in F29 instead.
+        /// needs a hardware reset makes F29.
         ///
         /// On the falling edge: The next clearing can be asked for.
-        pub const fn fault_reset(self) -> bool {
+        pub const fn quit_fault(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
         /// The word with bit 7 as given.
         #[must_use]
-        pub const fn with_fault_reset(self, on: bool) -> Self {
+        pub const fn with_quit_fault(self, on: bool) -> Self {
             Self(self.0 & !(1 << 7) | (on as u16) << 7)
         }
 
@@ -16738,8 +17895,8 @@ pub mod s700 {
             self.0 & 1 << 1 != 0
         }
 
-        /// Bit 2: operation enabled.
-        pub const fn operation_enabled(self) -> bool {
+        /// Bit 2: operation enable.
+        pub const fn operation_enable(self) -> bool {
             self.0 & 1 << 2 != 0
         }
 
@@ -16748,10 +17905,10 @@ pub mod s700 {
             self.0 & 1 << 3 != 0
         }
 
-        /// Bit 5: no quick stop.
+        /// Bit 5: no emergency stop active.
         ///
-        /// No quick stop is active. Shown only while bit 2 of the controlword is set.
-        pub const fn no_quick_stop(self) -> bool {
+        /// Shown once bit 2 of the controlword rises while bits 0 and 1 are set.
+        pub const fn no_emergency_stop_active(self) -> bool {
             self.0 & 1 << 5 != 0
         }
 
@@ -16760,17 +17917,17 @@ pub mod s700 {
             self.0 & 1 << 6 != 0
         }
 
-        /// Bit 7: warning.
+        /// Bit 7: warning present.
         ///
-        /// Something is out of order, but the drive goes on and does not change its state.
-        pub const fn warning(self) -> bool {
+        /// There is a warning.
+        pub const fn warning_present(self) -> bool {
             self.0 & 1 << 7 != 0
         }
 
-        /// Bit 8: following error.
+        /// Bit 8: following error present.
         ///
         /// In the positioning modes: OPMODE 4, 5, 6 and 8.
-        pub const fn following_error(self) -> bool {
+        pub const fn following_error_present(self) -> bool {
             self.0 & 1 << 8 != 0
         }
 
@@ -16788,10 +17945,8 @@ pub mod s700 {
             self.0 & 1 << 10 != 0
         }
 
-        /// Bit 11: limit switch.
-        ///
-        /// A hardware or a software limit switch is reached.
-        pub const fn limit_switch(self) -> bool {
+        /// Bit 11: hardware limit switch or software limit switch reached.
+        pub const fn hardware_limit_switch_or_software_limit_switch_reached(self) -> bool {
             self.0 & 1 << 11 != 0
         }
 
@@ -16800,10 +17955,10 @@ pub mod s700 {
             self.0 & 1 << 12 != 0
         }
 
-        /// Bit 13: homing error or quick stop.
+        /// Bit 13: homing error / emergency stop activated.
         ///
-        /// Homing has failed, or a quick stop was set off.
-        pub const fn homing_error_or_quick_stop(self) -> bool {
+        /// Homing has failed, or an emergency stop was set off.
+        pub const fn homing_error_emergency_stop_activated(self) -> bool {
             self.0 & 1 << 13 != 0
         }
 
@@ -16894,7 +18049,7 @@ pub mod s700 {
         /// - 2: external latch 1, negative edge
         /// - 3: external latch 2, positive edge
         /// - 4: external latch 2, negative edge
-        /// - 5: internal latch C, positive edge
+        /// - 5: external latch C, positive edge
         pub const fn latch_to_read(self) -> u16 {
             self.0 >> 8 & 0x1F
         }
@@ -16942,7 +18097,7 @@ pub mod s700 {
 
         /// Bits 8 to 11: latch acknowledged.
         ///
-        /// Whose position 0x20A0 shows.
+        /// Whose value is acknowledged.
         ///
         /// - 1: external latch 1, positive edge
         /// - 2: external latch 1, negative edge
@@ -17191,7 +18346,7 @@ pub mod s700 {
 
         /// F29.
         ///
-        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.
+        /// The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.
         ///
         /// Source: 3.4.2.
         pub const F29: Self = Self(29);
@@ -17214,7 +18369,7 @@ pub mod s700 {
                 28 =>
                     "The amplifier could not synchronise in time on the way to Operational, or two interrupts of the master in a row came with too much jitter.",
                 29 =>
-                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET forbids that.",
+                    "The master wants to clear a fault that needs a hardware reset, and bit 19 of SERCSET is set.",
                 _ => "",
             }
         }
@@ -17252,13 +18407,13 @@ pub mod s700 {
         /// Source: 3.3.3.
         pub const INVALID_SYNC_MANAGER_CONFIGURATION: Self = Self(0x0017);
 
-        /// Synchronisation error.
+        /// Synchronize error.
         ///
         /// The device has lost step with the master, or never found it. In the transitions O, SO. Results in
         /// Safe-operational, with the error bit.
         ///
         /// Source: 3.3.3.
-        pub const SYNCHRONISATION_ERROR: Self = Self(0x001A);
+        pub const SYNCHRONIZE_ERROR: Self = Self(0x001A);
 
         /// What the value stands for, if the description says so.
         pub const fn name(self) -> Option<&'static str> {
@@ -17266,7 +18421,7 @@ pub mod s700 {
                 0x0000 => Some("No error"),
                 0x0011 => Some("Invalid requested state change"),
                 0x0017 => Some("Invalid sync manager configuration"),
-                0x001A => Some("Synchronisation error"),
+                0x001A => Some("Synchronize error"),
                 _ => None,
             }
         }
@@ -17331,9 +18486,11 @@ pub mod s700 {
 
     /// `0x1701` Position interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S400 and S600.
+    /// Interface 1. Goes with 0x1B01. The default of S400 and S600.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 1.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1701 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -17380,9 +18537,11 @@ pub mod s700 {
 
     /// `0x1702` Velocity interface, 6 bytes.
     ///
-    /// Goes with 0x1B01. The default of S300 and S700.
+    /// Interface 2. Goes with 0x1B01. The default of S300 and S700.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 2.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1702 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
@@ -17429,9 +18588,11 @@ pub mod s700 {
 
     /// `0x1703` Torque interface, 4 bytes.
     ///
-    /// Goes with 0x1B03.
+    /// Interface 3. Goes with 0x1B03.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 3.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1703 {
         /// `0x6071:00` Current setpoint, in Ipeak ÷ 3280.
@@ -17476,11 +18637,11 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1704` Position, velocity, torque interface with mode switch, 14 bytes.
+    /// `0x1704` Position, velocity, torque interface with operation mode switch, 14 bytes.
     ///
-    /// Goes with 0x1B04.
+    /// Interface 4. Goes with 0x1B04.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1704 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -17545,9 +18706,9 @@ pub mod s700 {
 
     /// `0x1705` Position, velocity interface with torque, 14 bytes.
     ///
-    /// Goes with 0x1B05.
+    /// Interface 5. Goes with 0x1B05.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1705 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -17612,9 +18773,9 @@ pub mod s700 {
 
     /// `0x1706` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Goes with 0x1B06.
+    /// Interface 6. Goes with 0x1B06.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 6.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1706 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -17673,9 +18834,9 @@ pub mod s700 {
 
     /// `0x1707` Position 1 and 2, velocity, torque interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B07.
+    /// Interface 7. Goes with 0x1B07.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1707 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -17746,11 +18907,12 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1708` Position, velocity, torque interface with mode switch, torque and latch, 18 bytes.
+    /// `0x1708` Position, velocity, torque interface with macro variable switch, torque and latch, 18
+    /// bytes.
     ///
-    /// Goes with 0x1B08.
+    /// Interface 8. Goes with 0x1B08.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1708 {
         /// `0x60C1:00` Position setpoint, in increments.
@@ -17765,7 +18927,7 @@ pub mod s700 {
         pub opmode_request: u16,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x20A4:00` Latch controlword.
+        /// `0x20A4:00` Latchcontrolword.
         pub latch_controlword: LatchControlword,
     }
 
@@ -17829,9 +18991,11 @@ pub mod s700 {
 
     /// `0x170A` Position interface with digital I/O, 8 bytes.
     ///
-    /// Goes with 0x1B0A.
+    /// Interface 9. Goes with 0x1B0A.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 9.
+    ///
+    /// Assumed, mode: from its name and its set value.
     ///
     /// Corrected, total; the source says: total = 10. 4 + 2 + 2 bytes are listed. The totals of 0x170A and
     /// 0x1B0A are swapped.
@@ -17841,7 +19005,7 @@ pub mod s700 {
         pub position_setpoint: i32,
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
-        /// `0x2302:00` State of digital output.
+        /// `0x2302:00` Set value for digital output1/bit 0 and output2/bit 1.
         pub digital_outputs: DigitalOutputs,
     }
 
@@ -17887,9 +19051,9 @@ pub mod s700 {
 
     /// `0x1710` Motion tasks with I/O and actual values, 26 bytes.
     ///
-    /// Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. Goes with 0x1B0B. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1710 {
         /// `0x607A:00` Motion task target position.
@@ -17980,16 +19144,18 @@ pub mod s700 {
 
     /// `0x1711` Position interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 11. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 11.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1711 {
         /// `0x60C1:00` Position setpoint, in increments.
         pub position_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -18055,16 +19221,18 @@ pub mod s700 {
 
     /// `0x1712` Velocity interface with latch, 16 bytes.
     ///
-    /// Goes with 0x1B06, for example.
+    /// Interface 12. Goes with 0x1B06, for example.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 12.
+    ///
+    /// Assumed, mode: from its name and its set value.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1712 {
         /// `0x60FF:00` Velocity setpoint, in rpm × 1875 ÷ 262144.
         pub velocity_setpoint: i32,
-        /// `0x2308:00` Additive velocity setpoint, in rpm × 1875 ÷ 33554432.
+        /// `0x2308:00` Additive velocity setpoint (velocity feed forward), in rpm × 1875 ÷ 33554432.
         pub additive_velocity_setpoint: i32,
-        /// `0x2307:00` Additive current setpoint, in Ipeak ÷ 3280.
+        /// `0x2307:00` Current feed forward, in Ipeak ÷ 3280.
         pub additive_current_setpoint: i16,
         /// `0x2061:00` Current limit, in Ipeak ÷ 3280.
         pub current_limit: i16,
@@ -18130,23 +19298,23 @@ pub mod s700 {
 
     /// `0x1714` Macro program interface, 20 bytes.
     ///
-    /// Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
+    /// Interface 13. Goes with 0x1B0C. DPRVAR2 is mapped with its lower half.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct RxPdo1714 {
         /// `0x6040:00` Controlword.
         pub controlword: Controlword,
         /// `0x2306:00` DPRVAR2 (lower 16 bits).
         pub dprvar_2_low: i16,
-        /// `0x2090:03` DPRVAR3.
-        pub dprvar_set_dprvar3: i32,
-        /// `0x2090:04` DPRVAR4.
-        pub dprvar_set_dprvar4: i32,
-        /// `0x2090:05` DPRVAR5.
-        pub dprvar_set_dprvar5: i32,
-        /// `0x2090:06` DPRVAR6.
-        pub dprvar_set_dprvar6: i32,
+        /// `0x2090:03` DPRVAR3 (32 bits).
+        pub dprvar_set_dprvar3_32_bits: i32,
+        /// `0x2090:04` DPRVAR4 (32 bits).
+        pub dprvar_set_dprvar4_32_bits: i32,
+        /// `0x2090:05` DPRVAR5 (32 bits).
+        pub dprvar_set_dprvar5_32_bits: i32,
+        /// `0x2090:06` DPRVAR6 (32 bits).
+        pub dprvar_set_dprvar6_32_bits: i32,
     }
 
     impl RxPdo1714 {
@@ -18155,10 +19323,10 @@ pub mod s700 {
         pub const fn pack(self) -> [u8; 20] {
             let [b0, b1] = self.controlword.0.to_le_bytes();
             let [b2, b3] = self.dprvar_2_low.to_le_bytes();
-            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3.to_le_bytes();
-            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4.to_le_bytes();
-            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5.to_le_bytes();
-            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6.to_le_bytes();
+            let [b4, b5, b6, b7] = self.dprvar_set_dprvar3_32_bits.to_le_bytes();
+            let [b8, b9, b10, b11] = self.dprvar_set_dprvar4_32_bits.to_le_bytes();
+            let [b12, b13, b14, b15] = self.dprvar_set_dprvar5_32_bits.to_le_bytes();
+            let [b16, b17, b18, b19] = self.dprvar_set_dprvar6_32_bits.to_le_bytes();
             [b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17, b18, b19]
         }
 
@@ -18172,10 +19340,10 @@ pub mod s700 {
             Self {
                 controlword: Controlword(u16::from_le_bytes([b0, b1])),
                 dprvar_2_low: i16::from_le_bytes([b2, b3]),
-                dprvar_set_dprvar3: i32::from_le_bytes([b4, b5, b6, b7]),
-                dprvar_set_dprvar4: i32::from_le_bytes([b8, b9, b10, b11]),
-                dprvar_set_dprvar5: i32::from_le_bytes([b12, b13, b14, b15]),
-                dprvar_set_dprvar6: i32::from_le_bytes([b16, b17, b18, b19]),
+                dprvar_set_dprvar3_32_bits: i32::from_le_bytes([b4, b5, b6, b7]),
+                dprvar_set_dprvar4_32_bits: i32::from_le_bytes([b8, b9, b10, b11]),
+                dprvar_set_dprvar5_32_bits: i32::from_le_bytes([b12, b13, b14, b15]),
+                dprvar_set_dprvar6_32_bits: i32::from_le_bytes([b16, b17, b18, b19]),
             }
         }
     }
@@ -18186,10 +19354,10 @@ pub mod s700 {
         pub RxPdo1714View of RxPdo1714, 20;
         controlword, set_controlword: Controlword => 0, 16;
         dprvar_2_low, set_dprvar_2_low: i16 => 16, 16;
-        dprvar_set_dprvar3, set_dprvar_set_dprvar3: i32 => 32, 32;
-        dprvar_set_dprvar4, set_dprvar_set_dprvar4: i32 => 64, 32;
-        dprvar_set_dprvar5, set_dprvar_set_dprvar5: i32 => 96, 32;
-        dprvar_set_dprvar6, set_dprvar_set_dprvar6: i32 => 128, 32;
+        dprvar_set_dprvar3_32_bits, set_dprvar_set_dprvar3_32_bits: i32 => 32, 32;
+        dprvar_set_dprvar4_32_bits, set_dprvar_set_dprvar4_32_bits: i32 => 64, 32;
+        dprvar_set_dprvar5_32_bits, set_dprvar_set_dprvar5_32_bits: i32 => 96, 32;
+        dprvar_set_dprvar6_32_bits, set_dprvar_set_dprvar6_32_bits: i32 => 128, 32;
     }
 
     impl Pdo for RxPdo1714 {
@@ -18246,9 +19414,9 @@ pub mod s700 {
 
     /// `0x1B01` Position, velocity interface, 6 bytes.
     ///
-    /// The default.
+    /// Interfaces 1 and 2. The default.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, items 1 and 2.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B01 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -18295,7 +19463,9 @@ pub mod s700 {
 
     /// `0x1B03` Torque interface, 8 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 3.
+    ///
+    /// Source: 3.5, item 3.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B03 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -18346,16 +19516,18 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1B04` Position, velocity, torque interface with mode switch, 10 bytes.
+    /// `0x1B04` Position, velocity, torque interface with operation mode switch, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 4.
+    ///
+    /// Source: 3.5, item 4.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B04 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` OPMODE status.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18407,14 +19579,16 @@ pub mod s700 {
 
     /// `0x1B05` Position, velocity interface with torque, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 5.
+    ///
+    /// Source: 3.5, item 5.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B05 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18466,7 +19640,9 @@ pub mod s700 {
 
     /// `0x1B06` Position, velocity interface with latch, 12 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 6; also for 11 and 12, for example.
+    ///
+    /// Source: 3.5, items 6, 11 and 12.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B06 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -18525,7 +19701,9 @@ pub mod s700 {
 
     /// `0x1B07` Position 1 and 2, velocity, torque interface with latch, 22 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 7.
+    ///
+    /// Source: 3.5, item 7.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B07 {
         /// `0x6063:00` Position actual value 1, in increments.
@@ -18534,7 +19712,7 @@ pub mod s700 {
         pub position_actual_value_2: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18608,18 +19786,21 @@ pub mod s700 {
         ];
     }
 
-    /// `0x1B08` Position, velocity, torque interface with mode switch, torque and latch, 20 bytes.
+    /// `0x1B08` Position, velocity, torque interface with macro variable switch, torque and latch, 20
+    /// bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 8.
+    ///
+    /// Source: 3.5, item 8.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B08 {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
-        /// `0x60F4:00` Internal following error, in increments.
+        /// `0x60F4:00` Drive-following-error, in increments.
         pub internal_following_error: i32,
-        /// `0x2353:00` OPMODE message.
+        /// `0x2353:00` Opmode message.
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -18691,7 +19872,9 @@ pub mod s700 {
 
     /// `0x1B0A` Position interface with digital I/O, 10 bytes.
     ///
-    /// Source: 3.5.
+    /// Interface 9.
+    ///
+    /// Source: 3.5, item 9.
     ///
     /// Corrected, total; the source says: total = 8. 4 + 2 + 2 + 2 bytes are listed. The totals of 0x170A
     /// and 0x1B0A are swapped.
@@ -18703,7 +19886,7 @@ pub mod s700 {
         pub opmode_message: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
     }
 
@@ -18753,26 +19936,26 @@ pub mod s700 {
 
     /// `0x1B0B` Motion tasks with I/O and actual values, 40 bytes.
     ///
-    /// More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 10. More than 22 bytes: needs bit 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 10.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0B {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
         /// `0x2050:00` Position actual value 2, in increments.
         pub position_actual_value_2: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6077:00` Current actual value, in Ipeak ÷ 3280.
         pub current_actual_value: i16,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
-        /// `0x1003:00` Drive errors.
+        /// `0x1003:00` Drive error status.
         pub drive_errors: i32,
         /// `0x2000:00` Drive warnings.
         pub drive_warnings: i32,
-        /// `0x60FD:00` Digital I/O.
+        /// `0x60FD:00` Digital input state.
         pub digital_io: DigitalIo,
         /// `0x20B2:01` Analog input 1, in mV.
         pub analog_inputs_analog_input_1: i16,
@@ -18872,14 +20055,15 @@ pub mod s700 {
 
     /// `0x1B0C` Macro program interface, 28 bytes.
     ///
-    /// DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit 16 of DRVCFG3.
+    /// Interface 13. DPRVAR9, 12 and 13 are mapped with their lower halves. More than 22 bytes: needs bit
+    /// 16 of DRVCFG3.
     ///
-    /// Source: 3.5.
+    /// Source: 3.5, item 13.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct TxPdo1B0C {
         /// `0x6063:00` Position actual value 1, in increments.
         pub position_actual_value_1: i32,
-        /// `0x606C:00` Actual velocity (counts), in rpm × 1875 ÷ 262144.
+        /// `0x606C:00` Velocity actual value, in rpm × 1875 ÷ 262144.
         pub velocity_actual_value: i32,
         /// `0x6041:00` Statusword.
         pub statusword: Statusword,
@@ -19038,14 +20222,12 @@ pub mod s700 {
 
     /// The inputs of the master with the PDOs assigned by default, 6 bytes.
     ///
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Inputs {
         /// Position, velocity interface.
@@ -19092,14 +20274,12 @@ pub mod s700 {
         };
     }
 
-    /// Source: 3.1, 3.5.
+    /// Source: 3.1, 3.5, 3.6.
     ///
     /// Contradicted, address: Process data has three buffers. Longer mappings need extended mapping memory,
     /// and where that lies is not said. Open: three buffers fit for outputs of up to 21 bytes.
     ///
     /// Assumed, control: that of the AKD: three buffers.
-    ///
-    /// Assumed, pdos: the manual calls it the default in the figure of the free mapping only.
     impl Carries<Tx> for S700 {
         const SYNC_MANAGER: SyncManager = SyncManager {
             default: &[0x1B01],
@@ -19177,7 +20357,7 @@ pub mod s700 {
     /// *Switched on* `x01x 0011`: The amplifier is enabled and idle; set values are not taken yet. (3.4.1,
     /// 3.4.3)
     ///
-    /// *Operation enabled* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
+    /// *Operation enable* `x01x 0111`: The amplifier is enabled and takes the set values. (3.4.1, 3.4.3)
     ///
     /// *Quick stop active* `x00x 0x11`: The amplifier brakes on a quick stop ramp. (3.4.1, 3.4.3)
     ///
@@ -19229,11 +20409,11 @@ pub mod s700 {
     ///
     /// *9*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
-    /// *10*: The amplifier is disabled.
+    /// *10*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *11*: The drive brakes on the ramp DECDIS and stays enabled.
     ///
-    /// *12*: The amplifier is disabled.
+    /// *12*: The drive brakes on the ramp DECSTOP and is disabled.
     ///
     /// *13*: The drive brakes on an emergency stop ramp.
     ///
@@ -19390,7 +20570,7 @@ pub mod s700 {
 
         /// Disable voltage, transition 10. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_10: Command = Command {
@@ -19416,7 +20596,7 @@ pub mod s700 {
 
         /// Disable voltage, transition 12. `xxxx xxfx`
         ///
-        /// The amplifier is disabled.
+        /// The drive brakes on the ramp DECSTOP and is disabled.
         ///
         /// Source: 3.4.1, 3.4.2.
         pub const DISABLE_VOLTAGE_12: Command = Command {
@@ -19469,25 +20649,25 @@ pub mod s700 {
         ///
         /// The drive looks for its reference point; bit 11 of the controlword starts it. OPMODE 8.
         ///
-        /// Source: 3.4.2, 3.4.3, 3.8.
+        /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
         Hm = 6,
         /// Cyclic synchronous position mode.
         ///
         /// The master sends a position every cycle; the amplifier interpolates it in steps of 250 µs. OPMODE 5.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csp = 8,
         /// Cyclic synchronous velocity mode.
         ///
         /// The master sends a velocity every cycle. OPMODE 0.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Csv = 9,
         /// Cyclic synchronous torque mode.
         ///
         /// The master sends a current every cycle. OPMODE 2.
         ///
-        /// Source: 3.7.1, 3.8.
+        /// Source: 3.7.1, 3.7.2, 3.8, 3.9.
         Cst = 10,
     }
 
@@ -19553,7 +20733,7 @@ pub mod s700 {
 
     /// The bits that start a reference run in mode 6 and show how far it is.
     ///
-    /// Source: 3.4.2, 3.4.3, 3.8.
+    /// Source: 3.4.2, 3.4.3, 3.7.1, 3.8.
     pub const HOMING: HomingBits =
         HomingBits { start: 0x0800, reached: 0x0400, attained: 0x0200, error: 0x2000 };
 
@@ -19573,9 +20753,10 @@ pub mod s700 {
 
         /// Position: a step is 1 increments.
         ///
-        /// 2^PRBASE increments are one revolution of the motor.
+        /// 2^PRBASE increments are one revolution of the motor. A calculated value: backlash and flexing of the
+        /// mechanics are not in it.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 2.1.1, 3.7.1, 3.7.2.
         pub const POSITION: Scale = Scale::of::<1, 1>();
 
         /// Velocity: a step is 1875/262144 rpm.
@@ -19589,7 +20770,7 @@ pub mod s700 {
         ///
         /// 2³² / (60 × 4000), about 17896: 128 times as fine as the other velocities.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.1.
         pub const VELOCITY_FEED_FORWARD: Unit<S700, AngularVelocity> = Unit::of::<10_986_328_125, 32_768>();
 
         /// Current: a step is 1/3280 Ipeak.
@@ -19601,17 +20782,17 @@ pub mod s700 {
 
         /// Current: a step is 1 mA.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIAMPERE: Unit<S700, Current> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 mV.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const MILLIVOLT: Unit<S700, Voltage> = Unit::of::<1_000_000, 1>();
 
         /// Voltage: a step is 1 V.
         ///
-        /// Source: 3.7.1, 3.7.2.
+        /// Source: 3.7.2.
         pub const VOLT: Unit<S700, Voltage> = Unit::of::<1_000_000_000, 1>();
     }
 
@@ -19625,7 +20806,7 @@ pub mod s700 {
         pub struct Dictionary {
             /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
             pub device_type: u32,
-            /// `0x1001:00` Error register. UINT8, ro, TxPDO.
+            /// `0x1001:00` Error register. UINT8, ro.
             pub error_register: u8,
             /// `0x1002:00` Motion task status value. INT32, ro, TxPDO.
             pub motion_task_status: i32,
@@ -19666,75 +20847,75 @@ pub mod s700 {
             pub dprvar_actual: [i32; 8],
             /// `0x2050:00` Position actual value 2. INT32, ro, TxPDO, in increments.
             pub position_actual_value_2: i32,
-            /// `0x2054` EnDat 2.2 diagnostics.
+            /// `0x2054` ENDAT 2.2 diagnose information.
             ///
-            /// - `01` Diagnostic value 1. INT16, ro, TxPDO.
-            /// - `02` Diagnostic value 2. INT16, ro, TxPDO.
-            /// - `03` Diagnostic value 3. INT16, ro, TxPDO.
-            /// - `04` Diagnostic value 4. INT16, ro, TxPDO.
-            /// - `05` Diagnostic value 5. INT16, ro, TxPDO.
-            /// - `06` Diagnostic value 6. INT16, ro, TxPDO.
-            /// - `07` Diagnostic value 7. INT16, ro, TxPDO.
-            /// - `08` Diagnostic value 8. INT16, ro, TxPDO.
-            /// - `09` Diagnostic value 9. INT16, ro, TxPDO.
-            /// - `0A` Diagnostic value 10. INT16, ro, TxPDO.
-            /// - `0B` Diagnostic value 11. INT16, ro, TxPDO.
-            /// - `0C` Diagnostic value 12. INT16, ro, TxPDO.
-            /// - `0D` Diagnostic value 13. INT16, ro, TxPDO.
-            /// - `0E` Diagnostic value 14. INT16, ro, TxPDO.
-            /// - `0F` Diagnostic value 15. INT16, ro, TxPDO.
-            /// - `10` Diagnostic value 16. INT16, ro, TxPDO.
-            pub endat_2_2_diagnostics: [i16; 16],
-            /// `0x2055` EnDat 2.2 additional information 1.
+            /// - `01` Diagnose information 1. INT16, ro, TxPDO.
+            /// - `02` Diagnose information 2. INT16, ro, TxPDO.
+            /// - `03` Diagnose information 3. INT16, ro, TxPDO.
+            /// - `04` Diagnose information 4. INT16, ro, TxPDO.
+            /// - `05` Diagnose information 5. INT16, ro, TxPDO.
+            /// - `06` Diagnose information 6. INT16, ro, TxPDO.
+            /// - `07` Diagnose information 7. INT16, ro, TxPDO.
+            /// - `08` Diagnose information 8. INT16, ro, TxPDO.
+            /// - `09` Diagnose information 9. INT16, ro, TxPDO.
+            /// - `0A` Diagnose information 10. INT16, ro, TxPDO.
+            /// - `0B` Diagnose information 11. INT16, ro, TxPDO.
+            /// - `0C` Diagnose information 12. INT16, ro, TxPDO.
+            /// - `0D` Diagnose information 13. INT16, ro, TxPDO.
+            /// - `0E` Diagnose information 14. INT16, ro, TxPDO.
+            /// - `0F` Diagnose information 15. INT16, ro, TxPDO.
+            /// - `10` Diagnose information 16. INT16, ro, TxPDO.
+            pub endat_2_2_diagnose_information: [i16; 16],
+            /// `0x2055` ENDAT 2.2 additional information 1.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 1, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 1, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 1, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 1, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 1, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 1, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 1, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 1, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 1, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 1, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 1, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 1, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 1, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 1, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 1, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 1, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_1: [i16; 16],
-            /// `0x2056` EnDat 2.2 additional information 2.
+            /// `0x2056` ENDAT 2.2 additional information 2.
             ///
-            /// - `01` Additional information 1. INT16, ro, TxPDO.
-            /// - `02` Additional information 2. INT16, ro, TxPDO.
-            /// - `03` Additional information 3. INT16, ro, TxPDO.
-            /// - `04` Additional information 4. INT16, ro, TxPDO.
-            /// - `05` Additional information 5. INT16, ro, TxPDO.
-            /// - `06` Additional information 6. INT16, ro, TxPDO.
-            /// - `07` Additional information 7. INT16, ro, TxPDO.
-            /// - `08` Additional information 8. INT16, ro, TxPDO.
-            /// - `09` Additional information 9. INT16, ro, TxPDO.
-            /// - `0A` Additional information 10. INT16, ro, TxPDO.
-            /// - `0B` Additional information 11. INT16, ro, TxPDO.
-            /// - `0C` Additional information 12. INT16, ro, TxPDO.
-            /// - `0D` Additional information 13. INT16, ro, TxPDO.
-            /// - `0E` Additional information 14. INT16, ro, TxPDO.
-            /// - `0F` Additional information 15. INT16, ro, TxPDO.
-            /// - `10` Additional information 16. INT16, ro, TxPDO.
+            /// - `01` Additional information 2, value 1. INT16, ro, TxPDO.
+            /// - `02` Additional information 2, value 2. INT16, ro, TxPDO.
+            /// - `03` Additional information 2, value 3. INT16, ro, TxPDO.
+            /// - `04` Additional information 2, value 4. INT16, ro, TxPDO.
+            /// - `05` Additional information 2, value 5. INT16, ro, TxPDO.
+            /// - `06` Additional information 2, value 6. INT16, ro, TxPDO.
+            /// - `07` Additional information 2, value 7. INT16, ro, TxPDO.
+            /// - `08` Additional information 2, value 8. INT16, ro, TxPDO.
+            /// - `09` Additional information 2, value 9. INT16, ro, TxPDO.
+            /// - `0A` Additional information 2, value 10. INT16, ro, TxPDO.
+            /// - `0B` Additional information 2, value 11. INT16, ro, TxPDO.
+            /// - `0C` Additional information 2, value 12. INT16, ro, TxPDO.
+            /// - `0D` Additional information 2, value 13. INT16, ro, TxPDO.
+            /// - `0E` Additional information 2, value 14. INT16, ro, TxPDO.
+            /// - `0F` Additional information 2, value 15. INT16, ro, TxPDO.
+            /// - `10` Additional information 2, value 16. INT16, ro, TxPDO.
             pub endat_2_2_additional_information_2: [i16; 16],
             /// `0x2061:00` Current limit. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub current_limit: i16,
             /// `0x2090` Macro variables DPRVAR1 to DPRVAR8.
             ///
-            /// - `01` DPRVAR1. INT32, rw, RxPDO.
-            /// - `02` DPRVAR2. INT32, rw, RxPDO.
-            /// - `03` DPRVAR3. INT32, rw, RxPDO.
-            /// - `04` DPRVAR4. INT32, rw, RxPDO.
-            /// - `05` DPRVAR5. INT32, rw, RxPDO.
-            /// - `06` DPRVAR6. INT32, rw, RxPDO.
-            /// - `07` DPRVAR7. INT32, rw, RxPDO.
-            /// - `08` DPRVAR8. INT32, rw, RxPDO.
+            /// - `01` DPRVAR1 (32 bits). INT32, rw, RxPDO.
+            /// - `02` DPRVAR2 (32 bits). INT32, rw, RxPDO.
+            /// - `03` DPRVAR3 (32 bits). INT32, rw, RxPDO.
+            /// - `04` DPRVAR4 (32 bits). INT32, rw, RxPDO.
+            /// - `05` DPRVAR5 (32 bits). INT32, rw, RxPDO.
+            /// - `06` DPRVAR6 (32 bits). INT32, rw, RxPDO.
+            /// - `07` DPRVAR7 (32 bits). INT32, rw, RxPDO.
+            /// - `08` DPRVAR8 (32 bits). INT32, rw, RxPDO.
             pub dprvar_set: [i32; 8],
             /// `0x20A0:00` Latch position. INT32, ro, TxPDO, in increments.
             pub latch_position: i32,
@@ -19761,7 +20942,8 @@ pub mod s700 {
             pub dprvar_2_low: i16,
             /// `0x2307:00` Additive current setpoint. INT16, rw, RxPDO, in Ipeak ÷ 3280.
             pub additive_current_setpoint: i16,
-            /// `0x2308:00` Additive velocity setpoint. INT32, rw, RxPDO, in rpm × 1875 ÷ 33554432.
+            /// `0x2308:00` Additive velocity setpoint (velocity feed forward). INT32, rw, RxPDO, in rpm × 1875 ÷
+            /// 33554432.
             pub additive_velocity_setpoint: i32,
             /// `0x2310:00` Motion task velocity override. INT16, rw, RxPDO.
             pub motion_task_velocity_override: i16,
@@ -19778,9 +20960,9 @@ pub mod s700 {
             pub dprvar_actual_low: [i16; 8],
             /// `0x2351:00` State of the digital software outputs. INT32, ro, TxPDO.
             pub digital_software_outputs: i32,
-            /// `0x2352:00` OPMODE request. UINT16, rw, RxPDO.
+            /// `0x2352:00` Opemode request. UINT16, rw, RxPDO.
             pub opmode_request: u16,
-            /// `0x2353:00` OPMODE message. INT16, ro, TxPDO.
+            /// `0x2353:00` Message: Operation modes. INT16, ro, TxPDO.
             pub opmode_message: i16,
             /// `0x2355:00` ASCII data. INT32, rw, RxPDO and TxPDO.
             pub ascii_data: i32,
@@ -19796,9 +20978,9 @@ pub mod s700 {
             pub controlword: Controlword,
             /// `0x6041:00` Statusword. UINT16, ro, TxPDO.
             pub statusword: Statusword,
-            /// `0x6060:00` Modes of operation. INT8, rw, RxPDO.
+            /// `0x6060:00` Modes of operation. INT8, rw.
             pub modes_of_operation: i8,
-            /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO.
+            /// `0x6061:00` Modes of operation display. INT8, ro.
             pub modes_of_operation_display: i8,
             /// `0x6062:00` Actual position set point. INT32, ro, TxPDO, in increments.
             pub position_demand: i32,
@@ -19897,7 +21079,7 @@ pub mod s700 {
                 drive_warnings: 0,
                 dprvar_actual: [0; 8],
                 position_actual_value_2: 0,
-                endat_2_2_diagnostics: [0; 16],
+                endat_2_2_diagnose_information: [0; 16],
                 endat_2_2_additional_information_1: [0; 16],
                 endat_2_2_additional_information_2: [0; 16],
                 current_limit: 0,
@@ -19941,7 +21123,7 @@ pub mod s700 {
                 motion_task_profile_number: 0,
                 position_setpoint: 0,
                 interpolation_time_period: InterpolationTimePeriod {
-                    interpolation_time_period_value: 0,
+                    interpolation_time_units: 0,
                     interpolation_time_index: 0,
                 },
                 internal_following_error: 0,
@@ -20034,7 +21216,7 @@ pub mod s700 {
             pub sm_event_missed: u16,
             /// `0x1C32:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C32:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C32:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
@@ -20065,16 +21247,16 @@ pub mod s700 {
             pub sm_event_missed: u16,
             /// `0x1C33:0C` Cycle time too small. UINT16, ro.
             pub cycle_time_too_small: u16,
-            /// `0x1C33:20` Sync error. BOOL, ro, TxPDO.
+            /// `0x1C33:20` Sync error. BOOL, ro.
             pub sync_error: bool,
         }
 
         /// `0x60C2` Interpolation time period.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct InterpolationTimePeriod {
-            /// `0x60C2:01` Interpolation time period value. UINT8, rw, RxPDO, written in PreOP only.
-            pub interpolation_time_period_value: u8,
-            /// `0x60C2:02` Interpolation time index. INT8, rw, RxPDO, written in PreOP only.
+            /// `0x60C2:01` Interpolation time units. UINT8, rw, written in PreOP only.
+            pub interpolation_time_units: u8,
+            /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only.
             pub interpolation_time_index: i8,
         }
 
@@ -20101,7 +21283,7 @@ pub mod s700 {
                     14 => Some(sdo::Slot::I32(&mut self.drive_warnings)),
                     15 => self.dprvar_actual.get_mut(item).map(sdo::Slot::I32),
                     16 => Some(sdo::Slot::I32(&mut self.position_actual_value_2)),
-                    17 => self.endat_2_2_diagnostics.get_mut(item).map(sdo::Slot::I16),
+                    17 => self.endat_2_2_diagnose_information.get_mut(item).map(sdo::Slot::I16),
                     18 => self.endat_2_2_additional_information_1.get_mut(item).map(sdo::Slot::I16),
                     19 => self.endat_2_2_additional_information_2.get_mut(item).map(sdo::Slot::I16),
                     20 => Some(sdo::Slot::I16(&mut self.current_limit)),
@@ -20252,7 +21434,7 @@ pub mod s700 {
         impl InterpolationTimePeriod {
             fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
                 match item {
-                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
+                    0 => Some(sdo::Slot::U8(&mut self.interpolation_time_units)),
                     1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
                     _ => None,
                 }
@@ -20353,7 +21535,7 @@ pub mod s700 {
             slots: &SLOTS_10,
             objects: &[
                 object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 32, RO)], 0),
@@ -20586,7 +21768,7 @@ pub mod s700 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -20608,7 +21790,7 @@ pub mod s700 {
                         entry(10, 9, DataType::UNSIGNED32, 32, RW),
                         entry(11, 10, DataType::UNSIGNED16, 16, RO),
                         entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                        entry(32, 12, DataType::BOOLEAN, 1, RO.and(TX)),
+                        entry(32, 12, DataType::BOOLEAN, 1, RO),
                     ],
                     501,
                 ),
@@ -20754,8 +21936,8 @@ pub mod s700 {
             objects: &[
                 object(ObjectCode::Variable, 0, 44, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
                 object(ObjectCode::Variable, 0, 45, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
+                object(ObjectCode::Variable, 0, 46, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
+                object(ObjectCode::Variable, 0, 47, &[entry(0, 0, DataType::INTEGER8, 8, RO)], 0),
                 object(ObjectCode::Variable, 0, 48, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 49, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
                 object(ObjectCode::Variable, 0, 50, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
@@ -20774,8 +21956,8 @@ pub mod s700 {
                     60,
                     &[
                         entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP).and(RX)),
-                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP).and(RX)),
+                        entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
+                        entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
                     ],
                     504,
                 ),

@@ -5,14 +5,21 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use devc::Compilation;
 use devc::diagnostic::Diagnostic;
+use devc::source::MAX_SIZE;
 use serde::{Deserialize, Serialize};
 
-use super::draft;
+use super::draft::Draft;
+use super::existing;
 use super::outcome::Failure;
+use super::report::Report;
+use super::workplace::Workplace;
+
+/// The version of the format; a file of another one may mean something else.
+const VERSION: u32 = 1;
 
 /// The known findings, each with how often it is known.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -25,6 +32,11 @@ struct Finding {
     message: String,
 }
 
+#[derive(Deserialize)]
+struct Head {
+    version: u32,
+}
+
 #[derive(Serialize, Deserialize)]
 struct Document {
     version: u32,
@@ -34,11 +46,11 @@ struct Document {
 impl Baseline {
     /// Reads a baseline.
     pub(super) fn read(path: &Path) -> Result<Self, Failure> {
-        let text = fs::read_to_string(path).map_err(|error| {
-            Failure::at("read", path, &error).help("`devc check --update-baseline` makes the file")
-        })?;
-        let document: Document = serde_json::from_str(&text)
-            .map_err(|error| Failure::new(format!("`{}` is not a baseline: {error}", path.display())))?;
+        let missing = || {
+            Failure::new(format!("the baseline `{}` does not exist", path.display()))
+                .help("`devc check --update-baseline` makes the file")
+        };
+        let document = document(&target(path))?.ok_or_else(missing)?;
         let mut baseline = Self::default();
         for finding in document.findings {
             *baseline.0.entry(finding).or_default() += 1;
@@ -46,13 +58,19 @@ impl Baseline {
         Ok(baseline)
     }
 
-    /// Writes the baseline.
-    pub(super) fn write(&self, path: &Path) -> Result<(), Failure> {
+    /// Writes the baseline; what lies there has to be one, and not one of a later devc.
+    pub(super) fn write(&self, path: &Path, report: &Report) -> Result<(), Failure> {
+        let path = target(path);
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let place = Workplace::enter(folder, report);
         let repeated =
             self.0.iter().flat_map(|(finding, count)| std::iter::repeat_n(finding.clone(), *count));
-        let document = Document { version: 1, findings: repeated.collect() };
+        let document = Document { version: VERSION, findings: repeated.collect() };
         let text = serde_json::to_string_pretty(&document).unwrap_or_default() + "\n";
-        draft::replace(path, &text)
+        existing::be_writable(&path)?;
+        let draft = Draft::write(&place, &path, &text)?;
+        self::document(&path)?;
+        draft.publish()
     }
 
     /// How many findings there are.
@@ -79,6 +97,32 @@ impl Baseline {
             .collect();
         compilation.diagnostics.extend(new);
     }
+}
+
+/// The file that is meant: a link that leads to one stays a link.
+fn target(path: &Path) -> PathBuf {
+    let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
+    fs::canonicalize(path).ok().filter(|_| is_link).unwrap_or_else(|| path.to_owned())
+}
+
+/// What the file says, if there is one.
+fn document(path: &Path) -> Result<Option<Document>, Failure> {
+    let Some(bytes) = existing::read(path, MAX_SIZE + 1)? else { return Ok(None) };
+    let failure = |why: String| {
+        Failure::new(format!("`{}` is not a baseline: {why}", path.display()))
+            .help("name another file with `--baseline`")
+    };
+    if bytes.len() > MAX_SIZE {
+        return Err(failure(format!("it is larger than {} MiB", MAX_SIZE >> 20)));
+    }
+    let head: Head = serde_json::from_slice(&bytes).map_err(|error| failure(error.to_string()))?;
+    if head.version != VERSION {
+        return Err(failure(format!(
+            "its version is {}, and this devc knows version {VERSION}",
+            head.version
+        )));
+    }
+    serde_json::from_slice(&bytes).map(Some).map_err(|error| failure(error.to_string()))
 }
 
 fn finding(diagnostic: &Diagnostic, compilation: &Compilation) -> Finding {

@@ -1,5 +1,6 @@
 //! `devc build`
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -17,13 +18,14 @@ use super::paths::descriptions;
 use super::report::{Report, counts, verdict};
 use super::timings::Timings;
 use super::workers::Workers;
-use super::write::{Plan, Scope};
+use super::workplace::Workplace;
+use super::write::{Plan, make_folder};
 
 /// Make the outputs of descriptions.
 ///
 /// The outputs of a description are the files `<OUT>/<name>/<name>.*`, where the name is that of its folder.
-/// Each is written whole or not at all, and only if it changes; files of this name that devc no longer makes
-/// are removed. A description with errors keeps the outputs it has, and the others are made all the same.
+/// Each is written whole or not at all, and only if it changes. A file that devc did not make is never replaced, and
+/// none is removed. A description with errors keeps the outputs it has, and the others are made all the same.
 #[derive(Debug, Args)]
 pub(super) struct Build {
     /// Folders with a `device.toml`, or TOML files [default: every such folder in `devices`].
@@ -71,33 +73,25 @@ impl Build {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let levels = self.levels.levels()?;
         let paths = descriptions(&self.paths)?;
+        // Before anything is read, so that the last of several runs leaves what the descriptions say then.
+        let place = if self.check { None } else { Some(self.enter(report)?) };
         let workers = if self.timings { Workers::ONE } else { Workers::all() };
         let mut made = workers.map(&paths, |path| self.make(path, &levels, workers));
         let mut outcome = Outcome::Clean;
-        let mut built: Vec<(&str, &Path)> = Vec::new();
-        for (path, Made { compilation, files, timings }) in paths.iter().zip(&mut made) {
-            let (compilation, files) = (&*compilation, &*files);
-            report.diagnostics(compilation);
-            outcome = outcome.max(verdict(compilation, self.levels.deny_warnings));
-            let counts =
-                counts(&compilation.diagnostics).map(|counts| format!(", {counts}")).unwrap_or_default();
-            let (Some(family), Some(files)) = (&compilation.family, files) else {
-                report.line(&format!("{}: nothing made{counts}", path.display()))?;
-                continue;
-            };
-            claim(&mut built, &family.id, path)?;
-            match self.write(&family.id, files, report, timings) {
-                Ok((found, did)) => {
-                    outcome = outcome.max(found);
-                    report.line(&format!("{}: {did}{counts}", path.display()))?;
-                }
-                Err(failure) => outcome = outcome.max(report.failure(&failure)),
-            }
-            if self.timings {
-                report.message(&timings.table(&family.id));
-            }
+        let mut built = BTreeMap::new();
+        for (path, made) in paths.iter().zip(&mut made) {
+            report.diagnostics(&made.compilation);
+            outcome = outcome.max(verdict(&made.compilation, self.levels.deny_warnings));
+            let end = self.finish(path, made, &mut built, place.as_ref(), report);
+            outcome = outcome.max(end.unwrap_or_else(|failure| report.failure(&failure)));
         }
         Ok(outcome)
+    }
+
+    /// Makes the output folder if need be, and holds it.
+    fn enter(&self, report: &Report) -> Result<Workplace, Failure> {
+        make_folder(&self.out)?;
+        Ok(Workplace::enter(&self.out, report))
     }
 
     /// Compiles a description and makes its outputs.
@@ -128,43 +122,47 @@ impl Build {
         files
     }
 
-    /// Writes the outputs of one description, and says what it did.
-    fn write(
+    /// Compares or writes the outputs of one description, and says what was done.
+    fn finish<'m>(
         &self,
-        id: &str,
-        files: &Files,
+        path: &'m Path,
+        made: &'m mut Made,
+        built: &mut BTreeMap<String, &'m Path>,
+        place: Option<&Workplace>,
         report: &Report,
-        timings: &mut Timings,
-    ) -> Result<(Outcome, String), Failure> {
+    ) -> Result<Outcome, Failure> {
+        let Made { compilation, files, timings } = made;
+        let counts = counts(&compilation.diagnostics).map(|counts| format!(", {counts}")).unwrap_or_default();
+        let (Some(family), Some(files)) = (&compilation.family, files) else {
+            report.line(&format!("{}: nothing made{counts}", path.display()));
+            return Ok(Outcome::Clean);
+        };
+        claim(built, &family.id, path)?;
         timings.enter(if self.check { "compare" } else { "write" });
-        let scope = if self.emit.is_empty() { Scope::All } else { Scope::Some };
-        let plan = Plan::new(&self.out, id, files, scope)?;
-        if !self.check {
-            plan.carry_out()?;
-        }
+        let plan = Plan::new(&self.out, &family.id, files)?;
+        place.map_or(Ok(()), |place| plan.carry_out(place))?;
         timings.stop();
-        if self.check && !plan.is_empty() {
-            for difference in plan.differences() {
-                report.error(&difference, None);
-            }
-            return Ok((Outcome::Findings, "not up to date, `devc build` makes it so".to_owned()));
+        let is_done = !self.check || plan.is_empty();
+        if !is_done {
+            plan.differences().for_each(|difference| report.error(&difference, None));
         }
-        Ok((Outcome::Clean, plan.summary()))
+        let did = if is_done { plan.summary() } else { STALE.to_owned() };
+        report.line(&format!("{}: {did}{counts}", path.display()));
+        if self.timings {
+            report.message(&timings.table(&family.id));
+        }
+        Ok(if is_done { Outcome::Clean } else { Outcome::Findings })
     }
 }
 
-/// Two descriptions whose folders share a name would overwrite each other's outputs.
-fn claim<'a>(built: &mut Vec<(&'a str, &'a Path)>, id: &'a str, path: &'a Path) -> Result<(), Failure> {
-    if let Some((_, other)) = built.iter().find(|(name, _)| *name == id) {
-        let what = format!(
-            "`{}` and `{}` would both be written to the folder `{id}`",
-            other.display(),
-            path.display()
-        );
-        return Err(
-            Failure::new(what).help("rename one of the folders, or build them with different `--out`")
-        );
-    }
-    built.push((id, path));
-    Ok(())
+/// What is said of outputs that are only compared.
+const STALE: &str = "not up to date, `devc build` makes it so";
+
+/// Two descriptions whose folders share a name would overwrite each other's outputs; on some systems, those too whose
+/// names differ in case.
+fn claim<'m>(built: &mut BTreeMap<String, &'m Path>, id: &str, path: &'m Path) -> Result<(), Failure> {
+    let Some(other) = built.insert(id.to_lowercase(), path) else { return Ok(()) };
+    let (one, two) = (other.display(), path.display());
+    Err(Failure::new(format!("`{one}` and `{two}` would both be written to the folder `{id}`"))
+        .help("rename one of the folders, or build them with different `--out`"))
 }

@@ -60,12 +60,12 @@ impl Check {
         let levels = self.levels.levels()?;
         let compile = |path: &PathBuf| devc::compile_with(&Disk, path, &levels, &mut |_| ());
         let paths = descriptions(&self.paths)?;
-        if self.fix {
-            for path in &paths {
-                let made = fix(&compile(path))?;
-                if made > 0 {
-                    report.message(&format!("{}: made {}", path.display(), number(made, "edit")));
-                }
+        let mut outcome = Outcome::Clean;
+        for path in paths.iter().filter(|_| self.fix) {
+            match fix(&compile(path), report) {
+                Ok(0) => {}
+                Ok(made) => report.message(&format!("{}: made {}", path.display(), number(made, "edit"))),
+                Err(failure) => outcome = report.failure(&failure),
             }
         }
         let compiled = Workers::all().map(&paths, compile);
@@ -77,12 +77,12 @@ impl Check {
             let mut baseline = Baseline::read(path)?;
             compilations.iter_mut().for_each(|(_, compilation)| baseline.forget(compilation));
         }
-        self.say(&compilations, report)?;
+        self.say(&compilations, report);
         let verdicts = compilations.iter().map(|(_, c)| verdict(c, self.levels.deny_warnings));
-        Ok(verdicts.max().unwrap_or(Outcome::Clean))
+        Ok(verdicts.fold(outcome, Outcome::max))
     }
 
-    fn say(&self, compilations: &[(PathBuf, Compilation)], report: &Report) -> Result<(), Failure> {
+    fn say(&self, compilations: &[(PathBuf, Compilation)], report: &Report) {
         let runs: Vec<(&Diagnostics, &Sources)> =
             compilations.iter().map(|(_, c)| (&c.diagnostics, &c.sources)).collect();
         let text = match self.format {
@@ -93,18 +93,17 @@ impl Check {
                 runs.iter().map(|(diagnostics, sources)| render::github(diagnostics, sources)).collect()
             }
         };
-        report.output(&text)
+        report.output(&text);
     }
 }
 
-fn people(compilations: &[(PathBuf, Compilation)], only_new: bool, report: &Report) -> Result<(), Failure> {
+fn people(compilations: &[(PathBuf, Compilation)], only_new: bool, report: &Report) {
     let none = if only_new { "no new findings" } else { "no findings" };
     for (path, compilation) in compilations {
         report.diagnostics(compilation);
         let counts = counts(&compilation.diagnostics).unwrap_or_else(|| none.to_owned());
-        report.line(&format!("{}: {counts}", path.display()))?;
+        report.line(&format!("{}: {counts}", path.display()));
     }
-    Ok(())
 }
 
 fn update(path: &Path, compilations: &[(PathBuf, Compilation)], report: &Report) -> Result<Outcome, Failure> {
@@ -112,7 +111,7 @@ fn update(path: &Path, compilations: &[(PathBuf, Compilation)], report: &Report)
     for (_, compilation) in compilations {
         baseline.learn(compilation);
     }
-    baseline.write(path)?;
-    report.line(&format!("{}: {}", path.display(), number(baseline.len(), "known finding")))?;
+    baseline.write(path, report)?;
+    report.line(&format!("{}: {}", path.display(), number(baseline.len(), "known finding")));
     Ok(Outcome::Clean)
 }

@@ -1,15 +1,16 @@
 //! Files written whole or not at all.
 
-use std::fs::{self, File};
-use std::io::Write;
+#[cfg(unix)]
+use std::os::unix::fs::{MetadataExt, OpenOptionsExt, fchown};
+
+use std::fs::{self, File, Metadata};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use super::outcome::Failure;
+use super::workplace::{DRAFT, Workplace};
 
-/// The end of the name of a file that is being written.
-pub(super) const TEMPORARY: &str = ".devc-tmp";
-
-/// A new text beside the file that it is to become; gone if it does not.
+/// A new text for a file, under a name of its own until it is published; gone if it is not.
 pub(super) struct Draft {
     path: PathBuf,
     target: PathBuf,
@@ -17,15 +18,34 @@ pub(super) struct Draft {
 }
 
 impl Draft {
-    /// Writes the text that `folder/name` is to have.
-    pub(super) fn write(folder: &Path, name: &str, text: &str) -> Result<Self, Failure> {
-        let target = folder.join(name);
-        let path = folder.join(format!(".{name}.{}{TEMPORARY}", std::process::id()));
-        let file = File::options().write(true).create_new(true).open(&path);
-        let mut file = file.map_err(|error| Failure::at("write", &target, &error))?;
-        let draft = Self { path, target, published: false };
-        file.write_all(text.as_bytes()).map_err(|error| Failure::at("write", &draft.target, &error))?;
+    /// Writes the text that the target is to have, with the rights and, if it can be, the owner of what is there.
+    pub(super) fn write(place: &Workplace, target: &Path, text: &str) -> Result<Self, Failure> {
+        let failure = |error| Failure::at("write", target, &error);
+        let old = fs::symlink_metadata(target).ok();
+        let (path, mut file) = create(&place.folder, old.as_ref()).map_err(failure)?;
+        let draft = Self { path, target: target.to_owned(), published: false };
+        file.write_all(text.as_bytes()).map_err(failure)?;
+        if let Some(old) = old {
+            #[cfg(unix)]
+            let _ = fchown(&file, Some(old.uid()), Some(old.gid()));
+            file.set_permissions(old.permissions()).map_err(failure)?;
+        }
         Ok(draft)
+    }
+
+    /// For a text that cannot be made again: waits until it is on the disk, and sees to it that it has its owner.
+    pub(super) fn secure(&self) -> Result<(), Failure> {
+        let failure = |error| Failure::at("write", &self.target, &error);
+        File::options().append(true).open(&self.path).and_then(|file| file.sync_all()).map_err(failure)?;
+        let owner = |path: &Path| fs::metadata(path).map(|metadata| owner(&metadata)).map_err(failure);
+        if owner(&self.path)? != owner(&self.target)? {
+            return Err(Failure::new(format!(
+                "cannot edit `{}`: it belongs to another",
+                self.target.display()
+            ))
+            .help("run devc as its owner"));
+        }
+        Ok(())
     }
 
     /// Puts the text in the place of the old one.
@@ -33,6 +53,11 @@ impl Draft {
         fs::rename(&self.path, &self.target).map_err(|error| Failure::at("write", &self.target, &error))?;
         self.published = true;
         Ok(())
+    }
+
+    /// Where the text is to go.
+    pub(super) fn target(&self) -> &Path {
+        &self.target
     }
 }
 
@@ -45,11 +70,28 @@ impl Drop for Draft {
     }
 }
 
-/// Replaces the text of a file, or makes the file.
-pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
-    // A link stays a link: what it leads to is replaced.
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    Draft::write(folder, &name, text)?.publish()
+/// A file under the first free name; nobody may read it who may not read the old one.
+fn create(folder: &Path, old: Option<&Metadata>) -> io::Result<(PathBuf, File)> {
+    let mut options = File::options();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    options.mode(old.map_or(0o666, |old| old.mode() & 0o777));
+    let process = std::process::id();
+    let mut number = 0_u32;
+    loop {
+        let path = folder.join(format!("{DRAFT}{process}-{number}"));
+        match options.open(&path) {
+            // Left behind, or of a process that has the same number on another machine.
+            Err(error) if error.kind() == ErrorKind::AlreadyExists && number < u32::MAX => number += 1,
+            opened => return opened.map(|file| (path, file)),
+        }
+    }
 }
+
+#[cfg(unix)]
+fn owner(metadata: &Metadata) -> (u32, u32) {
+    (metadata.uid(), metadata.gid())
+}
+
+#[cfg(not(unix))]
+fn owner(_: &Metadata) {}

@@ -1,15 +1,18 @@
 //! `devc import`
 
-use std::fs::{self, File};
-use std::io::{ErrorKind, Read, Write};
+use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use devc::import::{Choice, Imported, import};
-use devc::source::MAX_SIZE;
+use devc::import::{Choice, Refusal, import};
+use devc::source::{MAX_SIZE, plain};
 
+use super::draft::Draft;
+use super::existing;
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
+use super::workplace::Workplace;
 
 /// Make a description of an ESI file.
 ///
@@ -51,24 +54,25 @@ fn revision(text: &str) -> Result<u32, String> {
 
 impl Import {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
-        let bytes = read(&self.file)?;
+        let limit = u64::try_from(MAX_SIZE).unwrap_or(u64::MAX).saturating_add(1);
+        let bytes =
+            plain::read(&self.file, limit).map_err(|error| Failure::at("read", &self.file, &error))?;
         let name = self.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let choice = Choice { device: self.device.clone(), revision: self.revision };
         let imported = import(&bytes, &name, &choice).map_err(|refusal| self.refused(&refusal))?;
         let out = self.out.clone().unwrap_or_else(|| Path::new("devices").join(&imported.id));
-        self.write(&out, &imported)?;
         let file = self.file.display().to_string();
+        let losses = self.report.as_ref().map(|path| (path, imported.report.json(&file)));
+        let files = imported.files.iter().map(|(name, text)| (out.join(name), text.as_str()));
+        let losses = losses.iter().map(|(path, text)| ((*path).clone(), text.as_str()));
+        self.write(&files.chain(losses).collect::<Vec<_>>(), report)?;
         report.message(imported.report.text(&file).trim_end());
-        if let Some(path) = &self.report {
-            fs::write(path, imported.report.json(&file))
-                .map_err(|error| Failure::at("write", path, &error))?;
-        }
         let names: Vec<&str> = imported.files.keys().map(String::as_str).collect();
-        report.line(&format!("{}: wrote {}", out.display(), names.join(", ")))?;
+        report.line(&format!("{}: wrote {}", out.display(), names.join(", ")));
         Ok(Outcome::Clean)
     }
 
-    fn refused(&self, refusal: &devc::import::Refusal) -> Failure {
+    fn refused(&self, refusal: &Refusal) -> Failure {
         let place = refusal.place.map(|(line, column)| format!(":{line}:{column}")).unwrap_or_default();
         let failure =
             Failure::new(format!("cannot import `{}{place}`: {}", self.file.display(), refusal.why));
@@ -80,39 +84,29 @@ impl Import {
     }
 
     /// Writes all files, or none if one of them is there already.
-    fn write(&self, out: &Path, imported: &Imported) -> Result<(), Failure> {
-        fs::create_dir_all(out).map_err(|error| Failure::at("make the folder", out, &error))?;
-        if !self.overwrite
-            && let Some(path) = imported.files.keys().map(|name| out.join(name)).find(|path| path.exists())
-        {
-            let what = format!("`{}` is there already", path.display());
-            return Err(Failure::new(what).help("give another folder by `--out`, or say `--overwrite`"));
+    fn write(&self, files: &[(PathBuf, &str)], report: &Report) -> Result<(), Failure> {
+        let mut drafts = Vec::new();
+        // Each folder is entered once: who is in it keeps others out.
+        let mut places: BTreeMap<PathBuf, Workplace> = BTreeMap::new();
+        for (path, text) in files {
+            if existing::read(path, 0)?.is_some() {
+                self.may_replace(path)?;
+            }
+            let folder =
+                path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let made = fs::create_dir_all(folder).and_then(|()| fs::canonicalize(folder));
+            let folder = made.map_err(|error| Failure::at("make the folder", folder, &error))?;
+            let place = places.entry(folder).or_insert_with_key(|folder| Workplace::enter(folder, report));
+            drafts.push(Draft::write(place, path, text)?);
         }
-        for (name, text) in &imported.files {
-            let path = out.join(name);
-            let written = self.open(&path).and_then(|mut file| file.write_all(text.as_bytes()));
-            written.map_err(|error| Failure::at("write", &path, &error))?;
-        }
-        Ok(())
+        drafts.into_iter().try_for_each(Draft::publish)
     }
 
-    /// A file that is not there yet, unless it may be written over.
-    fn open(&self, path: &Path) -> std::io::Result<File> {
-        match self.overwrite {
-            true => File::create(path),
-            false => File::options().write(true).create_new(true).open(path),
+    fn may_replace(&self, path: &Path) -> Result<(), Failure> {
+        if self.overwrite {
+            return existing::be_writable(path);
         }
+        let failure = Failure::new(format!("`{}` is there already", path.display()));
+        Err(failure.help("give another folder by `--out`, or say `--overwrite`"))
     }
-}
-
-/// The bytes of a file, at most one more than is read of any.
-fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    let fail = |error| Failure::at("read", path, &error);
-    if fs::metadata(path).map_err(fail)?.is_dir() {
-        return Err(fail(ErrorKind::IsADirectory.into()));
-    }
-    let mut bytes = Vec::new();
-    let limit = u64::try_from(MAX_SIZE).unwrap_or(u64::MAX).saturating_add(1);
-    File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes)).map_err(fail)?;
-    Ok(bytes)
 }

@@ -5,17 +5,24 @@
 mod baseline;
 mod build;
 mod check;
+mod diff;
 mod draft;
+mod existing;
 mod explain;
 mod fix;
+mod git;
 mod import;
 mod levels;
+mod names;
+mod new;
 mod outcome;
 mod paths;
 mod report;
 mod rules;
+mod schema;
 mod timings;
 mod workers;
+mod workplace;
 mod write;
 
 use std::process::ExitCode;
@@ -42,22 +49,29 @@ struct Arguments {
 enum Command {
     Build(build::Build),
     Check(check::Check),
+    Diff(diff::Diff),
     Explain(explain::Explain),
     Import(import::Import),
+    New(new::New),
     Rules(rules::Rules),
+    Schema(schema::Schema),
 }
 
 const EXAMPLES: &str = "\
 Examples:
+  devc new devices/mydrive        begin a description
   devc build                      make the outputs of every description under devices/
   devc build devices/c887         make those of one
   devc check devices/c887         only say what is wrong with it
+  devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name
   devc import drive.xml           make a description of an ESI file";
 
 const LONG_EXAMPLES: &str = "\
 Examples:
+  devc new devices/mydrive --axes 2 --mode csp,hm
+                                  begin a description
   devc build                      make the outputs of every description under devices/
   devc build devices/c887         make those of one
   devc build --emit xml,md        make only the ESI and the Markdown
@@ -66,6 +80,8 @@ Examples:
   devc check --format sarif       say it for a machine
   devc check --baseline known.json --update-baseline
                                   start from what is known today, then leave out the second option
+  devc diff old new --gate        whether the revision number announces what has changed
+  devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name
   devc import drive.xml           make a description of an ESI file
@@ -84,9 +100,12 @@ pub(crate) fn run() -> ExitCode {
     let outcome = match &arguments.command {
         Command::Build(build) => build.run(&report),
         Command::Check(check) => check.run(&report),
+        Command::Diff(diff) => diff.run(&report),
         Command::Explain(explain) => explain.run(&report),
         Command::Import(import) => import.run(&report),
+        Command::New(new) => new.run(&report),
         Command::Rules(rules) => rules.run(&report),
+        Command::Schema(schema) => schema.run(&report),
     };
-    outcome.unwrap_or_else(|failure| report.failure(&failure)).into()
+    report.end(outcome.unwrap_or_else(|failure| report.failure(&failure))).into()
 }

@@ -28,7 +28,7 @@ impl From<Outcome> for ExitCode {
 /// Why devc could not do its work.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Failure {
-    /// What went wrong, in lower case; empty if nobody is left to be told.
+    /// What went wrong, in lower case.
     pub(super) what: String,
     /// What to do about it.
     pub(super) help: Option<String>,
@@ -44,23 +44,21 @@ impl Failure {
         Self::new(format!("cannot {doing} `{}`: {}", path.display(), reason(error)))
     }
 
-    /// The standard output cannot be written to. If its reader has gone, that is how pipes end and no news.
-    pub(super) fn output(error: &io::Error) -> Self {
-        match error.kind() {
-            io::ErrorKind::BrokenPipe => Self::new(""),
-            _ => Self::new(format!("cannot write to the standard output: {}", reason(error))),
-        }
-    }
-
     #[must_use]
     pub(super) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
+
+    /// With help, if there is any.
+    #[must_use]
+    pub(super) fn maybe_help(self, help: String) -> Self {
+        if help.is_empty() { self } else { self.help(help) }
+    }
 }
 
 /// What the system says, as part of a sentence.
-fn reason(error: &io::Error) -> String {
+pub(super) fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or(&text);
     let mut characters = text.chars();

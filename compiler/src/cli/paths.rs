@@ -1,6 +1,7 @@
 //! Which descriptions a command is about.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use devc::source::MAIN_FILE;
@@ -35,8 +36,10 @@ fn shipped(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut paths = Vec::new();
     for entry in entries {
         let path = entry.map_err(|error| Failure::at("look into", folder, &error))?.path();
-        if path.join(MAIN_FILE).exists() {
-            paths.push(path);
+        // What is there and cannot be read is reported when it is read.
+        match fs::symlink_metadata(path.join(MAIN_FILE)) {
+            Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {}
+            _ => paths.push(path),
         }
     }
     paths.sort();

@@ -1,13 +1,14 @@
 //! What a run says: results on the standard output, messages on the standard error.
 
-use std::io::{self, IsTerminal, Write};
+use std::cell::RefCell;
+use std::io::{self, ErrorKind, IsTerminal, Write};
 
 use clap::ColorChoice;
 use devc::Compilation;
 use devc::diagnostic::render::{Style, text};
 use devc::diagnostic::{Diagnostics, Level};
 
-use super::outcome::{Failure, Outcome};
+use super::outcome::{Failure, Outcome, reason};
 
 /// How many messages about one description are printed.
 const MOST_MESSAGES: usize = 200;
@@ -15,6 +16,8 @@ const MOST_MESSAGES: usize = 200;
 /// Where results and messages go.
 pub(super) struct Report {
     style: Style,
+    /// Why nothing more can be written to the standard output; the work goes on all the same.
+    lost: RefCell<Option<io::Error>>,
 }
 
 impl Report {
@@ -30,18 +33,33 @@ impl Report {
                 io::stderr().is_terminal() && !refused && !dumb
             }
         };
-        Self { style: if wanted { Style::Colour } else { Style::Plain } }
+        let style = if wanted { Style::Colour } else { Style::Plain };
+        Self { style, lost: RefCell::new(None) }
     }
 
     /// Prints a result.
-    pub(super) fn line(&self, text: &str) -> Result<(), Failure> {
-        self.output(&format!("{text}\n"))
+    pub(super) fn line(&self, text: &str) {
+        self.output(&format!("{text}\n"));
     }
 
     /// Prints a result that ends its own lines.
-    pub(super) fn output(&self, text: &str) -> Result<(), Failure> {
-        let mut out = io::stdout().lock();
-        write!(out, "{text}").and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
+    pub(super) fn output(&self, text: &str) {
+        let mut lost = self.lost.borrow_mut();
+        if lost.is_none() {
+            let mut out = io::stdout().lock();
+            *lost = write!(out, "{text}").and_then(|()| out.flush()).err();
+        }
+    }
+
+    /// The end of a run, worse if not all results could be said. A reader that has gone wanted no more of them.
+    pub(super) fn end(&self, outcome: Outcome) -> Outcome {
+        match &*self.lost.borrow() {
+            Some(error) if error.kind() != ErrorKind::BrokenPipe => {
+                let what = format!("cannot write to the standard output: {}", reason(error));
+                self.failure(&Failure::new(what))
+            }
+            _ => outcome,
+        }
     }
 
     /// Prints a message. If even the standard error is closed, the exit code has to do.
@@ -76,9 +94,7 @@ impl Report {
 
     /// Prints why devc could not do its work.
     pub(super) fn failure(&self, failure: &Failure) -> Outcome {
-        if !failure.what.is_empty() {
-            self.error(&failure.what, failure.help.as_deref());
-        }
+        self.error(&failure.what, failure.help.as_deref());
         Outcome::Failed
     }
 }

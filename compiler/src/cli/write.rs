@@ -1,27 +1,22 @@
 //! Outputs on disk: compared first, then written whole or not at all.
 //!
-//! devc owns the files `<out>/<id>/<id>.*` and nothing else. New texts go to temporary files beside their
-//! targets; once all are there, they are renamed, so that a full disk leaves the old outputs as they were.
+//! devc writes the files `<out>/<id>/<id>.<ext>` and nothing else, and replaces only what it made itself. New texts go
+//! to drafts in the output folder; once all are there, they are renamed, so that a full disk leaves the old outputs as
+//! they were.
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::ErrorKind;
-use std::path::{Component, Path, PathBuf};
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
 
 use devc::emit::Files;
 
-use super::draft::{Draft, TEMPORARY};
+use super::draft::Draft;
+use super::existing;
+use super::names::portable;
 use super::outcome::Failure;
 use super::report::number;
-
-/// Whether the files are all that there is for a device.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Scope {
-    /// All: other files of the device are stale.
-    All,
-    /// Only some outputs were asked for: the others stay.
-    Some,
-}
+use super::workplace::Workplace;
 
 /// What has to be done so that a device's folder holds its outputs.
 #[derive(Debug)]
@@ -29,7 +24,6 @@ pub(super) struct Plan<'a> {
     out: &'a Path,
     folder: PathBuf,
     changes: BTreeMap<String, Change<'a>>,
-    leftovers: Vec<PathBuf>,
     unchanged: usize,
 }
 
@@ -39,60 +33,22 @@ enum Change<'a> {
     Create(&'a str),
     /// The file says something else from this line on.
     Replace(&'a str, usize),
-    /// devc does not make the file any more.
-    Remove,
 }
 
 impl<'a> Plan<'a> {
     /// Compares a device's outputs with what lies in its folder.
-    pub(super) fn new(out: &'a Path, id: &str, files: &'a Files, scope: Scope) -> Result<Self, Failure> {
-        let folder = out.join(name_of_one_folder(id)?);
-        let mut plan = Plan { out, folder, changes: BTreeMap::new(), leftovers: Vec::new(), unchanged: 0 };
+    pub(super) fn new(out: &'a Path, id: &str, files: &'a Files) -> Result<Self, Failure> {
+        let folder = out.join(portable(id)?);
+        let mut plan = Plan { out, folder, changes: BTreeMap::new(), unchanged: 0 };
+        plan.stay_inside()?;
         for (path, text) in &files.0 {
             let name = path.strip_prefix(id).and_then(|rest| rest.strip_prefix('/')).unwrap_or(path);
-            plan.compare(name_of_one_folder(name)?, text)?;
+            match compare(&plan.folder.join(portable(name)?), text)? {
+                None => plan.unchanged += 1,
+                Some(change) => _ = plan.changes.insert(name.to_owned(), change),
+            }
         }
-        plan.look_around(id, files, scope)?;
         Ok(plan)
-    }
-
-    fn compare(&mut self, name: &str, text: &'a str) -> Result<(), Failure> {
-        let path = self.folder.join(name);
-        let change = match fs::read(&path) {
-            Ok(old) if old == text.as_bytes() => {
-                self.unchanged += 1;
-                return Ok(());
-            }
-            Ok(old) => Change::Replace(text, first_difference(&old, text.as_bytes())),
-            Err(error) if error.kind() == ErrorKind::NotFound => Change::Create(text),
-            Err(error) => return Err(Failure::at("read", &path, &error)),
-        };
-        self.changes.insert(name.to_owned(), change);
-        Ok(())
-    }
-
-    /// Finds files of the device that devc no longer makes, and those that a killed run left behind.
-    fn look_around(&mut self, id: &str, files: &Files, scope: Scope) -> Result<(), Failure> {
-        let entries = match fs::read_dir(&self.folder) {
-            Ok(entries) => entries,
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
-            Err(error) => return Err(Failure::at("look into", &self.folder, &error)),
-        };
-        for entry in entries {
-            let entry = entry.map_err(|error| Failure::at("look into", &self.folder, &error))?;
-            let name = entry.file_name().to_string_lossy().into_owned();
-            let ours = name.strip_prefix(id).is_some_and(|rest| rest.starts_with('.'));
-            if name.starts_with(&format!(".{id}.")) && name.ends_with(TEMPORARY) {
-                self.leftovers.push(entry.path());
-            } else if scope == Scope::All
-                && ours
-                && !files.0.contains_key(&format!("{id}/{name}"))
-                && entry.file_type().is_ok_and(|kind| kind.is_file())
-            {
-                self.changes.insert(name, Change::Remove);
-            }
-        }
-        Ok(())
     }
 
     /// Whether the folder is as it should be.
@@ -110,77 +66,82 @@ impl<'a> Plan<'a> {
                 Change::Replace(_, line) => {
                     format!("`{path}` differs from what its description gives, from line {line} on")
                 }
-                Change::Remove => format!("`{path}` is stale: devc does not make it any more"),
             }
         })
     }
 
     /// What was done, in a line.
     pub(super) fn summary(&self) -> String {
-        let names = |wanted: fn(&Change<'_>) -> bool| {
-            let names =
-                self.changes.iter().filter(|(_, change)| wanted(change)).map(|(name, _)| name.as_str());
-            names.collect::<Vec<_>>().join(", ")
-        };
-        let written = names(|change| !matches!(change, Change::Remove));
-        let removed = names(|change| matches!(change, Change::Remove));
+        let names: Vec<&str> = self.changes.keys().map(String::as_str).collect();
         let mut parts = Vec::new();
-        if !written.is_empty() {
-            parts.push(format!("wrote {written} to {}", self.folder.display()));
+        if !names.is_empty() {
+            parts.push(format!("wrote {} to {}", names.join(", "), self.folder.display()));
         }
-        if !removed.is_empty() {
-            parts.push(format!("removed {removed}"));
-        }
-        if self.unchanged > 0 || parts.is_empty() {
+        if self.unchanged > 0 || names.is_empty() {
             parts.push(format!("{} up to date", number(self.unchanged, "file")));
         }
         parts.join(", ")
     }
 
     /// Brings the folder up to date.
-    pub(super) fn carry_out(&self) -> Result<(), Failure> {
-        if self.changes.is_empty() && self.leftovers.is_empty() {
-            return Ok(());
-        }
-        self.make_folder()?;
-        for path in &self.leftovers {
-            fs::remove_file(path).map_err(|error| Failure::at("remove", path, &error))?;
-        }
+    pub(super) fn carry_out(&self, place: &Workplace) -> Result<(), Failure> {
         let mut drafts = Vec::new();
-        for (name, change) in &self.changes {
-            if let Change::Create(text) | Change::Replace(text, _) = change {
-                drafts.push(Draft::write(&self.folder, name, text)?);
-            }
+        for (name, Change::Create(text) | Change::Replace(text, _)) in &self.changes {
+            drafts.push((Draft::write(place, &self.folder.join(name), text)?, text));
         }
-        drafts.into_iter().try_for_each(Draft::publish)?;
-        for (name, _) in self.changes.iter().filter(|(_, change)| matches!(change, Change::Remove)) {
-            let path = self.folder.join(name);
-            fs::remove_file(&path).map_err(|error| Failure::at("remove", &path, &error))?;
+        if !drafts.is_empty() {
+            make_folder(&self.folder)?;
+            self.stay_inside()?;
+        }
+        for (draft, text) in drafts {
+            // Somebody may have put a file of theirs there meanwhile.
+            compare(draft.target(), text)?;
+            draft.publish()?;
         }
         Ok(())
     }
 
-    /// Makes the folder, and sees to it that no link in it leads out of the output folder.
-    fn make_folder(&self) -> Result<(), Failure> {
-        fs::create_dir_all(&self.folder)
-            .map_err(|error| Failure::at("make the folder", &self.folder, &error))?;
-        let canonical =
-            |path: &Path| fs::canonicalize(path).map_err(|error| Failure::at("look into", path, &error));
-        if !canonical(&self.folder)?.starts_with(canonical(self.out)?) {
-            let (folder, out) = (self.folder.display(), self.out.display());
-            return Err(Failure::new(format!("`{folder}` is a link that leads out of `{out}`")));
+    /// Sees to it that no link leads out of the output folder.
+    fn stay_inside(&self) -> Result<(), Failure> {
+        let failure = |path: &Path, error: &io::Error| Failure::at("look into", path, error);
+        let folder = match fs::canonicalize(&self.folder) {
+            Ok(folder) => folder,
+            // A link to where nothing is: it will be found when the folder is made.
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+            Err(error) => return Err(failure(&self.folder, &error)),
+        };
+        if folder.starts_with(fs::canonicalize(self.out).map_err(|error| failure(self.out, &error))?) {
+            return Ok(());
         }
-        Ok(())
+        let what =
+            format!("`{}` is a link that leads out of `{}`", self.folder.display(), self.out.display());
+        Err(Failure::new(what).help("remove the link, or name the folder it leads to with `--out`"))
     }
 }
 
-/// The name, if it is one: not a path, and no way out of the folder.
-fn name_of_one_folder(name: &str) -> Result<&str, Failure> {
-    let mut parts = Path::new(name).components();
-    match (parts.next(), parts.next()) {
-        (Some(Component::Normal(part)), None) if part == name => Ok(name),
-        _ => Err(Failure::new(format!("`{name}` cannot be the name of an output"))),
+/// What has to be done so that the file has this text, if anything; only what devc made may be replaced.
+fn compare<'t>(path: &Path, text: &'t str) -> Result<Option<Change<'t>>, Failure> {
+    match existing::read(path, text.len().saturating_add(1))? {
+        None => Ok(Some(Change::Create(text))),
+        Some(old) if old == text.as_bytes() => Ok(None),
+        Some(old) if existing::is_made_by_devc(&old) => {
+            existing::be_writable(path)?;
+            Ok(Some(Change::Replace(text, first_difference(&old, text.as_bytes()))))
+        }
+        Some(_) => {
+            let what = format!("`{}` was not made by devc, so it is not replaced", path.display());
+            Err(Failure::new(what).help("move it away, or name another folder with `--out`"))
+        }
     }
+}
+
+/// Makes a folder where there is none.
+pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
+    if fs::metadata(folder).is_ok_and(|metadata| !metadata.is_dir()) {
+        return Err(Failure::new(format!("`{}` is not a folder", folder.display()))
+            .help("move it away, or name another folder with `--out`"));
+    }
+    fs::create_dir_all(folder).map_err(|error| Failure::at("make the folder", folder, &error))
 }
 
 /// The line from which on two texts differ, counted from 1.

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::source::Loader;
+use crate::source::{Loader, Opened};
 
 /// The files of a loader as seen from a folder.
 pub(crate) struct Beneath<'a> {
@@ -12,7 +12,7 @@ pub(crate) struct Beneath<'a> {
 }
 
 impl Loader for Beneath<'_> {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+    fn read(&self, path: &Path) -> io::Result<Opened> {
         self.loader.read(&self.root.join(path))
     }
 

@@ -1,4 +1,4 @@
-//! What devc knows of a word: the rule of this name, or what the profiles say of it.
+//! What devc knows of a word: the rule or the kind of change of this name, or what the profiles say of it.
 //!
 //! Questions are asked of trees, as files of TOML are parsed into, so that a description could be asked as well.
 
@@ -14,7 +14,8 @@ mod view;
 mod word;
 
 use crate::diagnostic::Rule;
-use crate::{profiles, rules};
+use crate::diff::Kind;
+use crate::{diff, profiles, rules};
 use find::{Found, find};
 use tree::Trees;
 use word::Phrase;
@@ -26,7 +27,7 @@ pub struct Unknown {
     pub near: Vec<String>,
 }
 
-/// Tells what is known of some words: the name of a rule or a profile; an index, a code, an id or a name of what profiles
+/// Tells what is known of some words: the name of a rule, a kind of change or a profile; an index, a code, an id or a name of what profiles
 /// have, which the name of a profile and a word such as `mode` or `error` in front may narrow.
 ///
 /// # Errors
@@ -36,6 +37,11 @@ pub fn explain(words: &[String]) -> Result<String, Unknown> {
         && let Ok(rule) = rules::find(name)
     {
         return Ok(of_rule(rule));
+    }
+    if let [name] = words
+        && let Ok(kind) = diff::find(name)
+    {
+        return Ok(of_kind(kind));
     }
     answer(&Trees::of(profiles::ALL), &Phrase::new(words))
 }
@@ -56,6 +62,11 @@ fn answer(trees: &Trees, phrase: &Phrase) -> Result<String, Unknown> {
 fn of_rule(rule: &Rule) -> String {
     let (summary, level, docs) = (rule.summary, rules::default_level(rule), rules::docs(rule));
     format!("{}: {summary} ({level})\n\n{docs}", rule.name)
+}
+
+/// A kind of change with all that its author says of it.
+fn of_kind(kind: &Kind) -> String {
+    format!("{}: {} ({})\n\n{}", kind.name, kind.summary, kind.class.name(), kind.text())
 }
 
 #[cfg(test)]

@@ -6,20 +6,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A way from a part of the model down to a value: `objects`, `0x6040`, `entries`, `0`, `default`.
-#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct FieldPath(pub Vec<String>);
-
-/// What differs at a path.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Difference {
-    /// Where.
-    pub path: FieldPath,
-    /// The value in the first of the two; none if it lacks what stands there.
-    pub first: Option<String>,
-    /// The value in the second.
-    pub second: Option<String>,
-}
+use super::difference::{Difference, FieldPath};
+use crate::source::{Location, Origin};
 
 /// A part of the model.
 pub trait Compare: PartialEq {
@@ -31,8 +19,18 @@ pub trait Compare: PartialEq {
         None
     }
 
-    /// The value for people; the name of what is made of parts.
+    /// The value for people; what is made of parts is called by its name.
     fn shown(&self) -> String;
+
+    /// Where it was written, if it knows that itself.
+    fn origin(&self) -> Option<&Origin> {
+        None
+    }
+
+    /// Itself, if it is what says where something was written.
+    fn as_origin(&self) -> Option<&Origin> {
+        None
+    }
 
     /// Hands on what differs from another, at a path.
     fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference));
@@ -43,25 +41,6 @@ pub fn differences<T: Compare>(first: &T, second: &T) -> Vec<Difference> {
     let mut found = Vec::new();
     first.compare(second, &mut FieldPath::default(), &mut |difference| found.push(difference));
     found
-}
-
-impl FieldPath {
-    /// Does something one step further down.
-    pub(crate) fn within(&mut self, step: impl Into<String>, act: impl FnOnce(&mut Self)) {
-        self.0.push(step.into());
-        act(self);
-        self.0.pop();
-    }
-
-    fn differ(&self, first: Option<String>, second: Option<String>) -> Difference {
-        Difference { path: self.clone(), first, second }
-    }
-}
-
-impl fmt::Display for FieldPath {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0.join("."))
-    }
 }
 
 /// Compares single values.
@@ -75,25 +54,28 @@ pub(crate) fn values<T: Compare>(first: &T, second: &T, path: &FieldPath, found:
 macro_rules! value {
     ($($type:ty)+) => {
         $(
-            impl Compare for $type {
+            impl $crate::model::Compare for $type {
                 const IS_VALUE: bool = true;
 
                 fn shown(&self) -> String {
                     self.to_string()
                 }
 
-                fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
-                    values(self, other, path, found);
+                fn compare(
+                    &self,
+                    other: &Self,
+                    path: &mut $crate::model::FieldPath,
+                    found: &mut dyn FnMut($crate::model::Difference),
+                ) {
+                    $crate::model::compare::values(self, other, path, found);
                 }
             }
         )+
     };
 }
-value! {
-    bool u8 i8 u16 i16 u32 i32 u64 i64 f64 String
-    super::Said super::Place super::Index super::Address super::DataType super::Pattern super::Value super::Duration
-    super::Hex super::Scale super::Source
-}
+pub(crate) use value;
+
+value! { bool u8 i8 u16 i16 u32 i32 u64 i64 f64 String }
 
 impl<T: Compare> Compare for Option<T> {
     const IS_VALUE: bool = T::IS_VALUE;
@@ -129,11 +111,17 @@ impl<T: Compare> Compare for Vec<T> {
             let second = seconds.remove(&key);
             path.within(key, |path| match second {
                 Some(second) => first.compare(second, path, found),
-                None => found(path.differ(Some(first.shown()), None)),
+                None => {
+                    let gone = path.differ(Some(first.shown()), None);
+                    found(gone.written(path.0.len(), first.origin(), None));
+                }
             });
         }
         for (key, second) in seconds {
-            path.within(key, |path| found(path.differ(None, Some(second.shown()))));
+            path.within(key, |path| {
+                let new = path.differ(None, Some(second.shown()));
+                found(new.written(path.0.len(), None, second.origin()));
+            });
         }
     }
 }
@@ -155,28 +143,20 @@ impl<T: Compare> Compare for (T, T) {
     }
 }
 
-impl Compare for super::OneOrMore {
-    const IS_VALUE: bool = true;
-
-    fn shown(&self) -> String {
-        self.0.shown()
-    }
-
-    fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
-        values(self, other, path, found);
-    }
-}
-
 /// Where a thing was written is not part of what it is.
-impl Compare for crate::source::Origin {
+impl Compare for Origin {
     fn shown(&self) -> String {
         String::new()
+    }
+
+    fn as_origin(&self) -> Option<&Origin> {
+        Some(self)
     }
 
     fn compare(&self, _: &Self, _: &mut FieldPath, _: &mut dyn FnMut(Difference)) {}
 }
 
-impl Compare for crate::source::Location {
+impl Compare for Location {
     fn shown(&self) -> String {
         String::new()
     }
@@ -195,7 +175,16 @@ macro_rules! compared {
             )?
 
             fn shown(&self) -> String {
+                $(
+                    if stringify!($field) == "name" {
+                        return $crate::model::Compare::shown(&self.$field);
+                    }
+                )*
                 stringify!($name).to_owned()
+            }
+
+            fn origin(&self) -> Option<&$crate::source::Origin> {
+                None$(.or_else(|| $crate::model::Compare::as_origin(&self.$field)))*
             }
 
             fn compare(
@@ -204,6 +193,13 @@ macro_rules! compared {
                 path: &mut $crate::model::FieldPath,
                 found: &mut dyn FnMut($crate::model::Difference),
             ) {
+                let (depth, first, second) = (
+                    path.0.len(),
+                    $crate::model::Compare::origin(self),
+                    $crate::model::Compare::origin(other),
+                );
+                let found: &mut dyn FnMut($crate::model::Difference) =
+                    &mut |difference| found(difference.written(depth, first, second));
                 $(
                     path.within(stringify!($field), |path| {
                         $crate::model::Compare::compare(&self.$field, &other.$field, path, found);
@@ -235,5 +231,12 @@ pub(crate) use compared;
 
 /// A choice as a word.
 pub(crate) fn word(choice: &dyn fmt::Debug) -> String {
-    format!("{choice:?}").to_lowercase()
+    let mut word = String::new();
+    for letter in format!("{choice:?}").chars() {
+        if letter.is_uppercase() && !word.is_empty() {
+            word.push('-');
+        }
+        word.extend(letter.to_lowercase());
+    }
+    word
 }

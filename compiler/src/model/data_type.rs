@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::compare::value;
 use super::plain;
 
 plain! {
@@ -29,6 +30,8 @@ plain! {
         Text(u16),
     }
 }
+
+value! { DataType }
 
 impl DataType {
     /// The width in bits.

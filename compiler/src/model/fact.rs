@@ -1,8 +1,7 @@
 //! How sure a statement is.
 
 use super::table::{part, table};
-use super::{Compare, Difference, FieldPath, Place, Said, model, plain};
-use std::fmt;
+use super::{Compare, Difference, FieldPath, Place, Said, model};
 
 use crate::source::{Location, Origin};
 
@@ -66,17 +65,6 @@ part! {
     }
 }
 
-plain! {
-    /// A place in a document.
-    #[derive(Eq)]
-    pub struct Source {
-        /// The document, by id; none for the main one if no document is listed.
-        pub document: Option<String>,
-        /// The place.
-        pub place: String,
-    }
-}
-
 model! {
     /// Something that no source states.
     pub struct Assumption {
@@ -103,15 +91,6 @@ pub struct Written {
     pub assumed: bool,
     /// Where its key stands.
     pub at: Location,
-}
-
-impl fmt::Display for Source {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.document {
-            Some(document) => write!(f, "{document}: {}", self.place),
-            None => f.write_str(&self.place),
-        }
-    }
 }
 
 /// Every table of a description, as it was written.

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::compare::value;
 use super::plain;
 
 plain! {
@@ -18,6 +19,8 @@ plain! {
         pub subindex: u8,
     }
 }
+
+value! { Index Address }
 
 impl From<u16> for Index {
     fn from(index: u16) -> Self {

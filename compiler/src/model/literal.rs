@@ -3,6 +3,8 @@
 use serde::Deserialize;
 use serde::de::{self, Deserializer, SeqAccess, Visitor};
 
+use super::compare::value;
+
 /// A value of an object, in the type that TOML gave it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Literal {
@@ -153,6 +155,8 @@ impl<'de> Deserialize<'de> for Hex {
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct OneOrMore(pub Vec<String>);
 
+value! { Duration Hex OneOrMore }
+
 impl std::ops::Deref for OneOrMore {
     type Target = [String];
 
@@ -180,6 +184,12 @@ impl<'de> Deserialize<'de> for OneOrMore {
             }
         }
         deserializer.deserialize_any(Texts)
+    }
+}
+
+impl std::fmt::Display for OneOrMore {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0.join(", "))
     }
 }
 

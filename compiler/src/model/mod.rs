@@ -5,10 +5,12 @@
 //! output is this model, word for word.
 
 mod axis;
+mod citation;
 mod compare;
 mod configuration;
 mod control;
 mod data_type;
+mod difference;
 mod error;
 mod fact;
 mod field;
@@ -35,6 +37,7 @@ pub(crate) mod schema;
 mod section;
 pub(crate) mod shorthand;
 mod state;
+mod symbol;
 pub(crate) mod table;
 mod timing;
 mod transport;
@@ -43,12 +46,14 @@ mod value;
 mod word;
 
 pub use axis::{Area, Arrangement, Axis, Shift};
-pub use compare::{Compare, Difference, FieldPath, differences};
+pub use citation::Source;
+pub use compare::{Compare, differences};
 pub use configuration::{Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
+pub use difference::{Difference, FieldPath};
 pub use error::{ErrorCode, VendorCode};
-pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Source, Tables, Written};
+pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Tables, Written};
 pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
@@ -72,6 +77,7 @@ pub use section::{Section, Shape};
 pub use state::{
     Answer, Command, CommunicationState, CommunicationTransition, Event, Scope, State, Transition,
 };
+pub use symbol::{Dimension, SYMBOLS, Symbol, dimensions};
 pub use table::Table;
 pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal};
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};

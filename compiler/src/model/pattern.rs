@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::compare::value;
 use super::plain;
 
 plain! {
@@ -29,6 +30,8 @@ plain! {
         Falling,
     }
 }
+
+value! { Pattern }
 
 impl Pattern {
     /// Reads a pattern as descriptions write it: `"x01x 0001"`, highest bit first.

@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error};
 
+use super::compare::value;
 use super::{Address, Index, Section, Shape};
 use crate::source::{CanonicalKey, parts};
 
@@ -27,6 +28,8 @@ pub struct Place {
     /// The keys from there.
     pub path: Option<String>,
 }
+
+value! { Place }
 
 impl Place {
     /// A table of a section.
@@ -78,6 +81,16 @@ impl Place {
     #[must_use]
     pub fn entries(self, range: (u8, u8)) -> Self {
         Self { subindex: Some(range), ..self }
+    }
+}
+
+impl Section {
+    /// A table of the section, or a key of its only one.
+    pub fn at(self, key: impl fmt::Display) -> Place {
+        match self.shape() {
+            Shape::Single => Place::from(self).at(key),
+            _ => Place::table(self, &key.to_string()),
+        }
     }
 }
 

@@ -5,6 +5,8 @@ use std::fmt;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, MapAccess, SeqAccess, Visitor};
 
+use super::compare::value;
+
 /// A value, or keys with values.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
@@ -29,6 +31,8 @@ pub enum Said {
 fn as_map<S: serde::Serializer>(keys: &[(String, Said)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(keys.iter().map(|(key, value)| (key, value)))
 }
+
+value! { Said }
 
 impl Default for Said {
     fn default() -> Self {

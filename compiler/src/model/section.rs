@@ -1,7 +1,5 @@
 //! The sections of a description: the one list of them.
 
-use super::Place;
-
 /// Hands the list of sections to a macro: for each its name, the word for it in a description, how its tables are told
 /// apart, and what a table is read into.
 ///
@@ -105,14 +103,6 @@ macro_rules! sections {
 for_each_section!(sections);
 
 impl Section {
-    /// A table of the section, or a key of its only one.
-    pub fn at(self, key: impl std::fmt::Display) -> Place {
-        match self.shape() {
-            Shape::Single => Place::from(self).at(key),
-            _ => Place::table(self, &key.to_string()),
-        }
-    }
-
     /// The section of this name.
     pub fn find(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|section| section.name() == name)

@@ -65,6 +65,7 @@ macro_rules! table {
             $crate::model::compare::compared! { struct $name [$($key)?] {
                 $($fields)*
                 pub source: Option<$crate::model::Source>,
+                pub origin: $crate::source::Origin,
             } }
 
             impl $crate::model::Table for $name {

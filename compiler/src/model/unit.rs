@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::compare::value;
 use super::table::part;
 use super::{Address, Source, model, plain};
 use crate::source::Origin;
@@ -60,6 +61,8 @@ part! {
         Sdo,
     }
 }
+
+value! { Scale }
 
 impl Scale {
     /// So many raw steps to so many units, in lowest terms. Neither is 0.

@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer};
 
+use super::compare::value;
 use super::{DataType, Literal, plain};
 
 plain! {
@@ -23,6 +24,8 @@ plain! {
         Text(String),
     }
 }
+
+value! { Value }
 
 impl Value {
     /// The value as it travels, in exactly the bytes of its type.

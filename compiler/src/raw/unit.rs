@@ -12,7 +12,7 @@ raw! {
     pub struct RawUnit {
         /// The physical quantity, such as `position`.
         pub quantity: String,
-        /// The unit of the scaled value, such as `mm`.
+        /// The unit of the scaled value, such as `mm`: a [symbol](#symbols), or a word of the device's own.
         pub symbol: String,
         /// How many raw steps make one unit: a whole number, or a fraction `"4294967296/30720000"`.
         pub raw_per_unit: Option<Fraction>,

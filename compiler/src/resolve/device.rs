@@ -6,25 +6,15 @@ use super::kept::{self, sorted};
 use super::names::Names;
 use super::{axes, configurations, coordinates, front, modes, objects, pdos, sync_managers, units, words};
 use crate::diagnostic::Diagnostics;
-use crate::model::{Arrangement, Device, Direction, Eeprom, Parameter, Pdo, Repeated, Tables, repetitions};
+use crate::model::{
+    Arrangement, Device, Direction, Eeprom, Object, Parameter, Pdo, Repeated, Repetition, Tables, repetitions,
+};
 use crate::raw::{RawAxes, RawDevice};
 
 /// Resolves a device; what cannot be resolved is reported and left out. None if it has no name or no identity, which
 /// was reported before.
-pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<Device> {
-    let mut context = Context {
-        diagnostics,
-        names: Names::default(),
-        axes: axes::axes(raw.axes.as_ref()),
-        shifts: Vec::new(),
-        pdo_shift: raw.axes.as_ref().and_then(|axes| axes.pdo_shift).unwrap_or(0x10),
-    };
-    let context = &mut context;
-    let mut raw = raw;
-    let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(context, raw));
-    context.names = Names::gather(&raw, coordinates);
-    context.shifts = axes::shifts(context, raw.axes.as_ref());
-
+pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<Device> {
+    let context = &mut context(&mut raw, diagnostics);
     let (head, identity) = (raw.head?, raw.identity?);
     let described = objects::objects(context, raw.objects);
     let mut pdos = pdos::pdos(context, &raw.rx_pdos, Direction::Rx, &described.objects);
@@ -40,67 +30,64 @@ pub(super) fn device(raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<De
     let objects = derived::dictionary(context, described, &basis);
     let configurations = configurations::configurations(context, raw.configurations, &objects, &basis);
     let words = words::words(context, raw.words, &objects);
-    let repeated = objects.iter().map(|object| object as &dyn Repeated);
-    let repeated = repeated.chain(pdos.iter().map(|pdo| pdo as &dyn Repeated));
+    let repetitions = repeated(context, &objects, &pdos);
+    #[rustfmt::skip] // a line for what belongs together
     let device = Device {
-        repetitions: repetitions(repeated, context.axes.len()),
         id: raw.id,
         group: head.group.unwrap_or_else(|| format!("{} drives", head.vendor)),
         type_name: head.type_name.unwrap_or_else(|| head.name.replace(' ', "-")),
-        name: head.name,
-        vendor: head.vendor,
-        title: head.title,
-        about: head.about,
-        models: head.models,
-        profile: head.profile,
         physics: head.physics.unwrap_or_else(|| "YY".to_owned()),
-        identity,
-        eeprom: raw.eeprom.unwrap_or_else(eeprom),
-        axes: context.axes.clone(),
-        arrangement: arrangement(context, raw.axes),
-        areas: sorted(raw.areas, |area| (area.first, area.last)),
-        sync_managers,
-        mailbox: raw.mailbox,
-        words,
-        states: raw.states,
-        commands: raw.commands,
-        transitions: sorted(raw.transitions, |transition| transition.number),
-        device_control: raw.device_control,
+        name: head.name, vendor: head.vendor, title: head.title, about: head.about,
+        models: head.models, profile: head.profile, source: head.source, origin: head.origin,
+        identity, eeprom: raw.eeprom.unwrap_or_else(eeprom), limits: raw.limits,
+        axes: context.axes.clone(), arrangement: arrangement(context, raw.axes),
+        connectors: raw.connectors, leds: raw.leds,
         communication_states: sorted(raw.communication_states, |state| state.code),
         communication_transitions: raw.communication_transitions,
-        modes: modes::modes(context, raw.modes),
-        mode_changes: raw.mode_changes,
-        stop_options: raw.stop_options,
-        errors: kept::errors(raw.errors),
-        vendor_codes: sorted(raw.vendor_codes, |code| code.code),
-        units: units::units(context, raw.units),
-        sync_modes: kept::sync_modes(raw.sync_modes),
-        cycle_times: raw.cycle_times,
-        dead_time: raw.dead_time,
-        leds: raw.leds,
-        connectors: raw.connectors,
-        parameters: parameters(context, raw.parameters),
-        homing_methods: kept::homing_methods(raw.homing_methods),
-        registers: sorted(raw.registers, |register| register.address),
         al_status_codes: sorted(raw.al_status_codes, |code| code.code),
-        telegrams: raw.telegrams,
-        configurations,
-        limits: raw.limits,
-        coordinates: context.names.coordinates(),
-        master_settings: raw.master_settings,
-        procedures: front::procedures(context, raw.procedures),
-        assumptions: raw.assumptions,
-        remarks: raw.remarks,
-        errata: raw.errata,
-        written: Tables(raw.written),
+        sync_managers, mailbox: raw.mailbox,
+        sync_modes: kept::sync_modes(raw.sync_modes), cycle_times: raw.cycle_times, dead_time: raw.dead_time,
+        pdos: by_direction(pdos), configurations, words,
+        states: raw.states, commands: raw.commands,
+        transitions: sorted(raw.transitions, |transition| transition.number),
+        device_control: raw.device_control,
+        modes: modes::modes(context, raw.modes), mode_changes: raw.mode_changes, stop_options: raw.stop_options,
+        homing_methods: kept::homing_methods(raw.homing_methods),
+        errors: kept::errors(raw.errors), vendor_codes: sorted(raw.vendor_codes, |code| code.code),
+        units: units::units(context, raw.units), coordinates: context.names.coordinates(),
+        areas: sorted(raw.areas, |area| (area.first, area.last)), repetitions,
         objects,
-        documents: raw.documents,
-        pdos: by_direction(pdos),
-        source: head.source,
-        origin: head.origin,
+        registers: sorted(raw.registers, |register| register.address), telegrams: raw.telegrams,
+        master_settings: raw.master_settings,
+        parameters: parameters(context, raw.parameters),
+        procedures: front::procedures(context, raw.procedures),
+        documents: raw.documents, errata: raw.errata, remarks: raw.remarks, assumptions: raw.assumptions,
+        written: Tables(raw.written),
     };
     kept::references(context, &device);
     Some(device)
+}
+
+/// What the parts of a device refer to: its axes and its names.
+fn context<'d>(raw: &mut RawDevice, diagnostics: &'d mut Diagnostics) -> Context<'d> {
+    let mut context = Context {
+        diagnostics,
+        names: Names::default(),
+        axes: axes::axes(raw.axes.as_ref()),
+        shifts: Vec::new(),
+        pdo_shift: raw.axes.as_ref().and_then(|axes| axes.pdo_shift).unwrap_or(0x10),
+    };
+    let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(&mut context, raw));
+    context.names = Names::gather(raw, coordinates);
+    context.shifts = axes::shifts(&mut context, raw.axes.as_ref());
+    context
+}
+
+/// What repeats from axis to axis.
+fn repeated(context: &Context<'_>, objects: &[Object], pdos: &[Pdo]) -> Vec<Repetition> {
+    let objects = objects.iter().map(|object| object as &dyn Repeated);
+    let pdos = pdos.iter().map(|pdo| pdo as &dyn Repeated);
+    repetitions(objects.chain(pdos), context.axes.len())
 }
 
 /// The EEPROM of a description that says nothing of it.

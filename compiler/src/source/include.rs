@@ -4,7 +4,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::loader::{MAX_SIZE, shown, similar};
+use super::loader::{MAX_SIZE, Opened, clean, or_here, shown, similar};
 use super::parse::parse;
 use super::settings::Settings;
 use super::{Layer, Loader, Location, SourceFile, Sources, Table};
@@ -18,6 +18,8 @@ pub(super) struct Reader<'a> {
     loader: &'a dyn Loader,
     /// The canonical folder that no include may leave.
     folder: PathBuf,
+    /// The folder in which the first file was found when it was opened.
+    opened: Option<PathBuf>,
     sources: &'a mut Sources,
     diagnostics: &'a mut Diagnostics,
     /// The files whose includes are being followed, outermost first: canonical, and as shown.
@@ -46,7 +48,7 @@ impl<'a> Reader<'a> {
     ) -> Option<Self> {
         let folder = loader.canonical(main).ok()?.parent()?.to_owned();
         let (chain, seen, parts, files) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Some(Self { loader, folder, sources, diagnostics, chain, seen, parts, files })
+        Some(Self { loader, folder, opened: None, sources, diagnostics, chain, seen, parts, files })
     }
 
     /// Reads the first file and all it includes.
@@ -60,21 +62,28 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn enter(&mut self, path: &Path, canonical: PathBuf, at: Option<Location>) {
+    fn enter(&mut self, path: &Path, canonical: PathBuf, from: Option<(&str, Location)>) {
         self.seen.push(canonical.clone());
-        let text = match self.text(path) {
-            Ok(text) => text,
+        let at = from.map(|(_, at)| at);
+        let (name, text) = match self.text(path) {
+            Ok(read) => read,
             Err(fault) => return self.diagnostics.push(fault.at(at)),
         };
-        let name = shown(path);
-        let file = self.sources.add(SourceFile { path: name.clone(), text, embedded: false });
+        // A link may have been turned since it was looked at: what counts is where the text is from.
+        let folder = self.opened.get_or_insert_with(|| name.parent().unwrap_or(&name).to_owned());
+        if let Some((name, at)) = from.filter(|_| !name.starts_with(folder)) {
+            return self.diagnostics.push(outside(name, at));
+        }
+        let shown = self.shown(path, &canonical);
+        let source = SourceFile { path: shown.clone(), text, embedded: false };
+        let file = self.sources.add_read(source, name);
         self.files.push(path.to_owned());
         let text = self.sources.get(file).map_or("", |file| file.text.as_str());
         let mut table = parse(file, text, Layer::Description, self.diagnostics);
         let settings = Settings::take(&mut table, self.diagnostics);
         let includes = settings.include.clone();
         self.parts.push(Part { table, settings });
-        self.chain.push((canonical, name));
+        self.chain.push((canonical, shown));
         for (name, at) in includes {
             self.follow(path, &name, at);
         }
@@ -98,40 +107,57 @@ impl<'a> Reader<'a> {
             return self.diagnostics.push(Diagnostic::new(&faults::INCLUDE_CYCLE, message, at, "not read"));
         }
         if !self.seen.contains(&canonical) {
-            self.enter(&path, canonical, Some(at));
+            self.enter(&path, canonical, Some((name, at)));
         }
     }
 
-    fn text(&self, path: &Path) -> Result<String, Unreadable> {
+    /// The path as people see it, without `..` if it leads to the same file then.
+    fn shown(&self, path: &Path, canonical: &Path) -> String {
+        let short = clean(path);
+        let same = short == path || self.loader.canonical(&short).is_ok_and(|name| name == canonical);
+        shown(if same { &short } else { path })
+    }
+
+    /// The name and the text of what the path leads to.
+    fn text(&self, path: &Path) -> Result<(PathBuf, String), Unreadable> {
         let unreadable = |why: String| Unreadable { message: format!("`{}` {why}", shown(path)), help: None };
-        let bytes = self.loader.read(path).map_err(|error| unreadable(reason(&error)))?;
+        let Opened { name, bytes } = self.loader.read(path).map_err(|error| unreadable(reason(&error)))?;
         if bytes.len() > MAX_SIZE {
             return Err(unreadable(format!("is larger than {} MiB", MAX_SIZE >> 20)));
         }
-        String::from_utf8(bytes).map_err(|error| {
+        let text = String::from_utf8(bytes).map_err(|error| {
             let offset = error.utf8_error().valid_up_to();
             let line = 1 + error.as_bytes().iter().take(offset).filter(|byte| **byte == b'\n').count();
             let help = Some("save the file as UTF-8".to_owned());
             Unreadable { help, ..unreadable(format!("is not UTF-8 at byte {offset}, in line {line}")) }
-        })
+        })?;
+        Ok((name, text))
     }
 
     fn missing(&self, path: &Path, name: &str, at: Location, error: &std::io::Error) -> Diagnostic {
+        // Whether there is such a file elsewhere, and what lies beside it, is not devc's business.
+        if self.way(path).is_some_and(|folder| !folder.starts_with(&self.folder)) {
+            return outside(name, at);
+        }
         if error.kind() != ErrorKind::NotFound {
             let message = format!("`{}` {}", shown(path), reason(error));
             return Diagnostic::new(&faults::UNREADABLE_FILE, message, at, "included here");
         }
         let message = format!("`{}` does not exist", shown(path));
         let diagnostic = Diagnostic::new(&faults::MISSING_FILE, message, at, "included here");
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let wrong = path.file_name().unwrap_or_default().to_string_lossy();
-        match similar(self.loader, folder, &wrong) {
-            Some(near) => {
-                let name = name.strip_suffix(&*wrong).unwrap_or_default();
-                diagnostic.fix(format!("did you mean `{near}`?"), at, format!("\"{name}{near}\""))
+        match (similar(self.loader, path), name.strip_suffix(&*wrong)) {
+            (Some(near), Some(way)) if is_bare(&near) && is_bare(way) => {
+                diagnostic.fix(format!("did you mean `{near}`?"), at, format!("\"{way}{near}\""))
             }
-            None => diagnostic.note("an include is relative to the file that names it"),
+            (Some(near), _) => diagnostic.help(format!("`{near}` lies there")),
+            (None, _) => diagnostic.note("an include is relative to the file that names it"),
         }
+    }
+
+    /// How far a path leads that does not lead to a file: the canonical name of the last folder that is there.
+    fn way(&self, path: &Path) -> Option<PathBuf> {
+        path.ancestors().skip(1).find_map(|folder| self.loader.canonical(or_here(folder)).ok())
     }
 
     fn cycle(&self, start: usize, name: &str, at: Location) -> Diagnostic {
@@ -143,6 +169,11 @@ impl<'a> Reader<'a> {
             .note(format!("the includes are {} -> {first}", names.join(" -> ")))
             .help("remove one of them")
     }
+}
+
+/// Whether a text can stand between quotation marks as it is.
+fn is_bare(text: &str) -> bool {
+    !text.contains(|c: char| c.is_control() || matches!(c, '"' | '\\'))
 }
 
 /// A file that cannot be read as text.

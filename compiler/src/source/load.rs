@@ -69,10 +69,8 @@ fn main_file(loader: &dyn Loader, path: &Path) -> Result<PathBuf, Diagnostic> {
     let missing = |message| Diagnostic::bare(&faults::MISSING_FILE, message);
     let shown = shown(path);
     if loader.canonical(path).is_err() {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
         let diagnostic = missing(format!("`{shown}` does not exist"));
-        return Err(match similar(loader, folder, &name) {
+        return Err(match similar(loader, path) {
             Some(other) => diagnostic.help(format!("`{other}` lies beside it")),
             None => diagnostic,
         });

@@ -1,22 +1,35 @@
 //! The only place that touches a file system.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Read};
-use std::path::{Component, Path, PathBuf};
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::{Component, MAIN_SEPARATOR_STR, Path, PathBuf};
 
+use super::plain;
 use crate::text::near::near;
 
 /// The largest file that is read, in bytes: offsets are 32 bits wide, and no description comes near.
 pub const MAX_SIZE: usize = 64 << 20;
 
+/// How often a file is opened again because another was put in its place meanwhile, as editors do.
+const MAX_TRIES: usize = 8;
+
+/// A file as it was opened and read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Opened {
+    /// Its one name, with links followed: of what was opened, whatever lies there now.
+    pub name: PathBuf,
+    /// At most one byte more than [`MAX_SIZE`].
+    pub bytes: Vec<u8>,
+}
+
 /// Where files come from.
 pub trait Loader {
-    /// The bytes of a file, at most one more than [`MAX_SIZE`].
+    /// Opens a file and reads it.
     ///
     /// # Errors
-    /// If there is no such file, or it cannot be read, or it is not a regular file.
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
+    /// If there is no such file, or it cannot be read, or it is a folder, a pipe or a device.
+    fn read(&self, path: &Path) -> io::Result<Opened>;
 
     /// The one name of a file or folder, with links followed.
     ///
@@ -24,7 +37,7 @@ pub trait Loader {
     /// If there is neither a file nor a folder.
     fn canonical(&self, path: &Path) -> io::Result<PathBuf>;
 
-    /// The names of what lies in a folder, sorted.
+    /// The names of what lies in a folder, sorted; those that are text.
     ///
     /// # Errors
     /// If it is not a folder, or it cannot be read.
@@ -36,17 +49,14 @@ pub trait Loader {
 pub struct Disk;
 
 impl Loader for Disk {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        let kind = fs::metadata(path)?;
-        if kind.is_dir() {
-            return Err(ErrorKind::IsADirectory.into());
+    fn read(&self, path: &Path) -> io::Result<Opened> {
+        for _ in 0..MAX_TRIES {
+            let file = plain::open(path)?;
+            if let Some(name) = plain::name(&file, path)? {
+                return Ok(Opened { name, bytes: plain::content(&file, MAX_SIZE as u64 + 1)? });
+            }
         }
-        if !kind.is_file() {
-            return Err(io::Error::new(ErrorKind::InvalidInput, "is not a regular file"));
-        }
-        let mut bytes = Vec::new();
-        File::open(path)?.take(MAX_SIZE as u64 + 1).read_to_end(&mut bytes)?;
-        Ok(bytes)
+        Err(io::Error::new(ErrorKind::InvalidInput, "it is replaced all the time"))
     }
 
     fn canonical(&self, path: &Path) -> io::Result<PathBuf> {
@@ -55,7 +65,7 @@ impl Loader for Disk {
 
     fn list(&self, folder: &Path) -> io::Result<Vec<String>> {
         let mut names = fs::read_dir(folder)?
-            .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
+            .filter_map(|entry| entry.map(|entry| entry.file_name().into_string().ok()).transpose())
             .collect::<io::Result<Vec<_>>>()?;
         names.sort();
         Ok(names)
@@ -87,11 +97,11 @@ impl Memory {
 }
 
 impl Loader for Memory {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        let path = clean(path);
-        match self.files.get(&path) {
-            Some(bytes) => Ok(bytes.get(..=MAX_SIZE).unwrap_or(bytes).to_vec()),
-            None if self.is_folder(&path) => Err(ErrorKind::IsADirectory.into()),
+    fn read(&self, path: &Path) -> io::Result<Opened> {
+        let name = clean(path);
+        match self.files.get(&name) {
+            Some(bytes) => Ok(Opened { name, bytes: bytes.get(..=MAX_SIZE).unwrap_or(bytes).to_vec() }),
+            None if self.is_folder(&name) => Err(ErrorKind::IsADirectory.into()),
             None => Err(ErrorKind::NotFound.into()),
         }
     }
@@ -132,15 +142,20 @@ pub(super) fn clean(path: &Path) -> PathBuf {
     out
 }
 
-/// A name in a folder that looks like the one that is not there.
-pub(super) fn similar(loader: &dyn Loader, folder: &Path, name: &str) -> Option<String> {
-    let names = loader.list(folder).ok()?;
-    near(name, names.iter().map(String::as_str)).map(str::to_owned)
+/// The name beside a file that is not there which looks like its own.
+pub(super) fn similar(loader: &dyn Loader, path: &Path) -> Option<String> {
+    let names = loader.list(or_here(path.parent()?)).ok()?;
+    near(&path.file_name()?.to_string_lossy(), names.iter().map(String::as_str)).map(str::to_owned)
 }
 
-/// A path as people see it on every machine.
+/// The folder that an empty path stands for.
+pub(super) fn or_here(folder: &Path) -> &Path {
+    if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
+}
+
+/// A path as people see it on every machine; `..` stays, because it leads out of where a link leads.
 pub(super) fn shown(path: &Path) -> String {
-    let clean = clean(path);
-    let text = clean.to_string_lossy().replace('\\', "/");
+    let parts: PathBuf = path.components().filter(|part| *part != Component::CurDir).collect();
+    let text = parts.to_string_lossy().replace(MAIN_SEPARATOR_STR, "/");
     if text.is_empty() { ".".to_owned() } else { text }
 }

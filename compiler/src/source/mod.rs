@@ -11,6 +11,7 @@ mod loader;
 mod merge;
 mod origin;
 pub(crate) mod parse;
+pub mod plain;
 mod settings;
 #[cfg(test)]
 mod tests;
@@ -19,7 +20,7 @@ mod tree;
 #[cfg(feature = "cli")]
 pub(crate) use load::read_profile;
 pub use load::{Document, MAIN_FILE, Profile, load};
-pub use loader::{Disk, Loader, MAX_SIZE, Memory};
+pub use loader::{Disk, Loader, MAX_SIZE, Memory, Opened};
 pub use origin::Origin;
 pub(crate) use origin::parts;
 pub use tree::{CanonicalKey, Key, Layer, Member, Node, Table, Value};

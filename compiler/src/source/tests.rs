@@ -370,7 +370,7 @@ fn a_file_without_end() {
 struct Locked(Memory, &'static str);
 
 impl Loader for Locked {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+    fn read(&self, path: &Path) -> io::Result<Opened> {
         if path.ends_with(self.1) { Err(io::ErrorKind::PermissionDenied.into()) } else { self.0.read(path) }
     }
 

@@ -4,6 +4,9 @@
 
 pub(crate) mod near;
 
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
 /// A file of one compilation, by its place in [`Sources`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FileId(pub u32);
@@ -34,6 +37,7 @@ pub struct SourceFile {
 #[derive(Debug, Clone, Default)]
 pub struct Sources {
     files: Vec<SourceFile>,
+    names: BTreeMap<FileId, PathBuf>,
 }
 
 impl Sources {
@@ -42,6 +46,18 @@ impl Sources {
         let id = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
         self.files.push(file);
         id
+    }
+
+    /// Keeps a file that was read under this name, its one name with links followed.
+    pub fn add_read(&mut self, file: SourceFile, name: PathBuf) -> FileId {
+        let id = self.add(file);
+        self.names.insert(id, name);
+        id
+    }
+
+    /// The name under which a file was read and can be found again: what is shown may stand for another one.
+    pub fn name(&self, id: FileId) -> Option<&Path> {
+        self.names.get(&id).map(PathBuf::as_path)
     }
 
     /// The file of this name, if it is one of ours.

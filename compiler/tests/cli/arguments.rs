@@ -1,7 +1,5 @@
 //! What can be asked, and the answers to what cannot.
 
-use std::process::Command;
-
 use crate::{Desk, SOUND};
 
 #[test]
@@ -50,9 +48,6 @@ fn colours_only_where_they_are_seen() {
 #[cfg(target_os = "linux")]
 fn an_output_that_cannot_be_written_to_is_no_panic() {
     let desk = Desk::sound();
-    let shell = |script: &str| {
-        desk.finish(Command::new("sh").arg("-c").arg(script).arg("sh").arg(env!("CARGO_BIN_EXE_devc")))
-    };
-    shell("\"$1\" rules > /dev/full").ends(2, &["cannot write to the standard output: no space left"]);
-    assert_eq!(shell("\"$1\" rules | true").err, "");
+    desk.shell("\"$1\" rules > /dev/full").ends(2, &["cannot write to the standard output: no space left"]);
+    assert_eq!(desk.shell("\"$1\" rules | true").err, "");
 }

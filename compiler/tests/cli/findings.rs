@@ -68,15 +68,6 @@ fn an_unreadable_file_is_reported() {
     desk.devc(&["check"]).ends(expected.0, expected.1);
 }
 
-#[test]
-#[cfg(unix)]
-fn a_link_out_of_the_folder_is_an_outside_include() {
-    let desk = Desk::new(&[("drive", &format!("include = [\"link.toml\"]\n{SOUND}"))]);
-    desk.put("elsewhere.toml", "");
-    std::os::unix::fs::symlink("../../elsewhere.toml", desk.path("devices/drive/link.toml")).expect("a link");
-    desk.devc(&["check"]).ends(1, &["error[outside-include]"]);
-}
-
 /// What someone might write to make devc run out of time or memory is refused at once.
 #[test]
 fn monsters_are_refused() {

@@ -3,15 +3,31 @@
 #![cfg(test)]
 
 mod arguments;
+#[cfg(unix)]
+mod at_once;
 mod explain;
 mod findings;
+mod fixes;
+mod foreign;
+#[cfg(unix)]
+mod interrupted;
 mod levels;
+#[cfg(unix)]
+mod odd_files;
 mod outputs;
+#[cfg(unix)]
+mod outside;
 mod trouble;
+#[cfg(unix)]
+mod unix;
+mod versions;
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::PathBuf;
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
 
 use tempfile::TempDir;
 
@@ -84,18 +100,46 @@ impl Desk {
     }
 
     fn devc(&self, arguments: &[&str]) -> Run {
-        self.finish(Command::new(env!("CARGO_BIN_EXE_devc")).args(arguments))
+        self.finish(&mut self.command(arguments))
+    }
+
+    /// devc, to be run in the folder.
+    fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_devc"));
+        command.args(arguments).current_dir(self.folder.path()).env_remove("NO_COLOR");
+        command
+    }
+
+    /// A script of the shell, with devc as `$1`.
+    #[cfg(unix)]
+    fn shell(&self, script: &str) -> Run {
+        self.finish(Command::new("sh").arg("-c").arg(script).arg("sh").arg(env!("CARGO_BIN_EXE_devc")))
     }
 
     fn finish(&self, command: &mut Command) -> Run {
-        let Output { status, stdout, stderr } =
-            command.current_dir(self.folder.path()).env_remove("NO_COLOR").output().expect("devc runs");
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("devc writes UTF-8");
-        Run { code: status.code(), out: text(stdout), err: text(stderr) }
+        let command = command.current_dir(self.folder.path()).env_remove("NO_COLOR").stdin(Stdio::null());
+        let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        Run::of(command.spawn().expect("devc runs"))
     }
 }
 
+/// How long a run may take that has next to nothing to do, on a machine that has other things to do.
+const PATIENCE: Duration = Duration::from_secs(60);
+
 impl Run {
+    /// Waits for a run to end, but not for one that hangs.
+    fn of(child: Child) -> Self {
+        let (id, (tell, end)) = (child.id(), mpsc::channel());
+        thread::spawn(move || tell.send(child.wait_with_output()));
+        let Ok(output) = end.recv_timeout(PATIENCE) else {
+            let _ = Command::new("kill").args(["-9", &id.to_string()]).status();
+            panic!("devc does not end");
+        };
+        let Output { status, stdout, stderr } = output.expect("devc runs");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("devc writes UTF-8");
+        Self { code: status.code(), out: text(stdout), err: text(stderr) }
+    }
+
     /// Asserts the exit code and that what was said has all these words; gives back what was said.
     #[track_caller]
     fn ends(&self, code: i32, words: &[&str]) -> &Self {
@@ -106,12 +150,4 @@ impl Run {
         }
         self
     }
-}
-
-/// Makes a folder unwritable; whether that has any effect, since it has none on the superuser.
-#[cfg(unix)]
-fn lock(folder: &Path) -> bool {
-    use std::os::unix::fs::PermissionsExt;
-    fs::set_permissions(folder, fs::Permissions::from_mode(0o555)).expect("a mode can be set");
-    fs::write(folder.join("probe"), "").is_err()
 }

@@ -63,8 +63,7 @@ fn names_of_registers_are_those_of_the_table() {
         let described = register(row.address).name.as_str();
         (!plain(row.name).starts_with(&plain(described))).then_some((row.address, described))
     });
-    let known = [((0x1100, "Process data out"), "written out"), ((0x1140, "Process data in"), "written out")];
-    departs(other, known);
+    departs(other, []);
 }
 
 #[test]
@@ -97,18 +96,7 @@ fn bits_have_the_names_of_the_tables() {
         let same = !described.is_empty() && plain(row.name).starts_with(&plain(described));
         (!same).then_some((row.name, described))
     });
-    let why = "written out";
-    let known = [
-        (("DC Distributed Clock", "distributed clock"), "without the abbreviation"),
-        (("Pro Out Event", "process data out"), why),
-        (("Pro In Event", "process data in"), why),
-        (("Sync Manager 4 – Sync Manager 7 Event", "sync managers 4 to 7"), "in the plural"),
-        (("Status", "state requested"), "AL control"),
-        (("Status", "state"), "AL status"),
-        (("Appl. specific", "application-specific"), why),
-        (("Status change", "error"), "it tells that the change was refused"),
-    ];
-    departs(other, known);
+    departs(other, [(("Appl. specific", "application-specific"), "written out")]);
 }
 
 #[test]
@@ -176,7 +164,7 @@ fn al_status_codes_are_those_of_the_table() {
     }
     let both = printed.iter().zip(&device().al_status_codes).map(|(row, it)| (row.name, it.name.as_str()));
     let other = both.filter(|(row, described)| plain(row) != plain(described));
-    departs(other, [(("Synchronize error", "Synchronisation error"), "a noun")]);
+    departs(other, []);
 }
 
 #[test]

@@ -1,8 +1,8 @@
 use crate::diagnostic::rule;
 
 rule! {
-    /// The file is a folder, or larger than any description, or not UTF-8, or the system refuses to open it. The
-    /// message says which; for a file in another encoding it says the first byte that is not UTF-8.
+    /// The file is a folder, a pipe or a device, or larger than any description, or not UTF-8, or the system refuses to
+    /// open it. The message says which; for a file in another encoding it says the first byte that is not UTF-8.
     ///
     /// ## Fires
     /// ```toml

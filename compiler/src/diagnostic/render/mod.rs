@@ -3,7 +3,7 @@
 mod github;
 #[cfg(feature = "json")]
 mod json;
-mod position;
+pub(crate) mod position;
 #[cfg(feature = "json")]
 mod sarif;
 #[cfg(test)]

@@ -2,26 +2,28 @@
 
 use std::collections::BTreeMap;
 
+#[cfg(feature = "diff")]
+use crate::text::SourceFile;
 use crate::text::{FileId, Location, Sources};
 
 /// Where the lines of files start, found once for each file.
-pub(super) struct Positions<'s> {
+pub(crate) struct Positions<'s> {
     sources: &'s Sources,
     starts: BTreeMap<FileId, Vec<usize>>,
 }
 
 /// A place that a person can find: both numbers count from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Position {
-    pub(super) line: usize,
+pub(crate) struct Position {
+    pub(crate) line: usize,
     /// In characters of Unicode.
-    pub(super) column: usize,
+    pub(crate) column: usize,
     /// In units of UTF-16, as editors count.
-    pub(super) column_utf16: usize,
+    pub(crate) column_utf16: usize,
 }
 
 impl<'s> Positions<'s> {
-    pub(super) fn new(sources: &'s Sources) -> Self {
+    pub(crate) fn new(sources: &'s Sources) -> Self {
         let starts = sources.iter().map(|(id, file)| {
             let breaks = file.text.match_indices('\n').map(|(place, _)| place + 1);
             (id, std::iter::once(0).chain(breaks).collect())
@@ -30,8 +32,14 @@ impl<'s> Positions<'s> {
     }
 
     /// The first and the last place of a range.
-    pub(super) fn range(&self, at: Location) -> (Position, Position) {
+    pub(crate) fn range(&self, at: Location) -> (Position, Position) {
         (self.place(at.file, at.start), self.place(at.file, at.end))
+    }
+
+    /// A file.
+    #[cfg(feature = "diff")]
+    pub(crate) fn file(&self, file: FileId) -> Option<&'s SourceFile> {
+        self.sources.get(file)
     }
 
     fn place(&self, file: FileId, offset: u32) -> Position {

@@ -47,19 +47,10 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
         master_settings, parameters, procedures,
         documents, errata, remarks, assumptions,
     } = context.device;
+    let (about, source, profile) = (about.as_deref(), source.as_ref(), *profile);
+    #[rustfmt::skip] // as above
     let head = Head {
-        vendor,
-        about: about.as_deref(),
-        models,
-        group,
-        type_name,
-        profile: *profile,
-        physics,
-        identity,
-        eeprom,
-        limits,
-        source: source.as_ref(),
-        origin,
+        vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
     };
     let link_layer = (
         &**communication_states,

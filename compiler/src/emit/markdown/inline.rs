@@ -6,7 +6,7 @@ use crate::emit::escape::escape;
 
 /// Text that means itself: whatever Markdown or HTML would read into it is escaped, and it is one line, so
 /// that it also fits a cell of a table.
-pub(super) fn text(plain: &str) -> String {
+pub(crate) fn text(plain: &str) -> String {
     let mut out = String::with_capacity(plain.len() + plain.len() / 8);
     append(plain, &mut out);
     out

@@ -13,6 +13,9 @@ mod inline;
 mod number;
 mod table;
 
+#[cfg(feature = "diff")]
+pub(crate) use inline::text as escaped;
+
 use super::{Emitter, Options};
 use crate::lint::Checked;
 use crate::model::Family;

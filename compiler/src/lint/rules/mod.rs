@@ -18,6 +18,7 @@ mod contradicted_identity;
 mod contradicted_modes;
 mod contradicted_notation;
 mod contradicted_profile;
+mod contradicted_quantity;
 mod contradicted_total;
 mod contradicted_width;
 mod deviating_access;
@@ -114,6 +115,7 @@ lints! {
     contradicted_modes,
     contradicted_notation,
     contradicted_profile,
+    contradicted_quantity,
     contradicted_total,
     contradicted_width,
     deviating_access,

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::section::all;
 use super::tidy::without_null;
-use crate::model::Shape;
+use crate::model::{SYMBOLS, Shape};
 
 const INTRODUCTION: &str = include_str!("introduction.md");
 
@@ -36,6 +36,20 @@ pub fn reference() -> String {
     for (name, schema) in inner.iter().filter(|(_, schema)| schema.get("oneOf").is_some()) {
         text.push_str(&format!("\n### <a id=\"{}\"></a>{}\n\n", anchor(name), title(name)));
         text.push_str(&format!("{}\n\n{}", about(schema), words(schema)));
+    }
+    text.push_str(&symbols());
+    text
+}
+
+/// The symbols of units that generated code has types for, by what they measure.
+fn symbols() -> String {
+    let mut text = "\n### <a id=\"symbols\"></a>symbols\n\n".to_owned();
+    text.push_str("What the symbols of units measure. Generated code converts values with these symbols; with any other\n");
+    text.push_str("it counts steps of the device's own.\n\n| Measures | Symbols |\n| --- | --- |\n");
+    for of_one in SYMBOLS.chunk_by(|one, next| one.dimension == next.dimension) {
+        let measures = of_one.first().map(|symbol| title(&format!("{:?}", symbol.dimension)));
+        let symbols: Vec<String> = of_one.iter().map(|symbol| format!("`{}`", symbol.text)).collect();
+        text.push_str(&format!("| {} | {} |\n", measures.unwrap_or_default(), symbols.join(", ")));
     }
     text
 }

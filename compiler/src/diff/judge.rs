@@ -1,0 +1,148 @@
+//! What kind of change a difference is: one file for each part of a device.
+//!
+//! What follows from another change is none of its own: mapping objects follow from the PDOs, the number of entries in
+//! subindex 0 from the entries, the values of 0x1018 from the identity.
+
+mod dictionary;
+mod entry;
+mod machine;
+mod modes;
+mod process_data;
+mod timing;
+mod transport;
+mod units;
+mod words;
+
+use super::change::Kind;
+use super::kinds;
+use super::place::Versions;
+use crate::model::Difference;
+use crate::text::near::near;
+
+/// What a difference is.
+pub(super) struct Judged {
+    pub(super) kind: &'static Kind,
+    /// What it is a part of, if that is shown in its place.
+    pub(super) of_whole: Option<Whole>,
+}
+
+/// Something that changes as a whole, whatever part of it differs.
+pub(super) struct Whole {
+    /// The steps of the path that lead to it.
+    pub(super) depth: usize,
+    pub(super) old: String,
+    pub(super) new: String,
+}
+
+impl From<&'static Kind> for Judged {
+    fn from(kind: &'static Kind) -> Self {
+        Self { kind, of_whole: None }
+    }
+}
+
+/// What kind of change a difference is; none if it is none of its own.
+pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Difference) -> Option<Judged> {
+    let kind = match path {
+        ["identity", field] => identity(field, versions)?,
+        ["objects", rest @ ..] => dictionary::judge(versions, rest, difference)?,
+        ["pdos", rest @ ..] => return process_data::judge(versions, rest, difference),
+        ["sync_managers", rest @ ..] => transport::sync_manager(versions, rest)?,
+        ["mailbox", rest @ ..] => transport::mailbox(versions, rest, difference),
+        ["eeprom", field] => transport::eeprom(field),
+        ["configurations", rest @ ..] => return transport::configuration(rest, difference),
+        ["sync_modes", rest @ ..] => timing::sync_mode(versions, rest, difference),
+        ["cycle_times", rest @ ..] => timing::cycle_time(versions, rest, difference),
+        ["dead_time", rest @ ..] => timing::dead_time(rest, difference),
+        ["words", _, rest @ ..] => words::word(rest, difference),
+        ["states", rest @ ..] => machine::state(rest, difference),
+        ["commands", rest @ ..] => machine::command(rest, difference),
+        ["transitions", rest @ ..] => machine::transition(versions, rest, difference),
+        ["device_control", ..] => &kinds::CHANGED_BEHAVIOUR,
+        ["modes", rest @ ..] => modes::mode(rest, difference)?,
+        ["homing_methods", rest @ ..] => modes::homing_method(rest, difference)?,
+        ["errors" | "vendor_codes" | "al_status_codes", rest @ ..] => words::error(rest, difference)?,
+        ["units", rest @ ..] => units::unit(versions, rest, difference)?,
+        _ => device(path)?,
+    };
+    Some(kind.into())
+}
+
+/// What a device says of itself, and what is for people.
+fn device(path: &[&str]) -> Option<&'static Kind> {
+    Some(match path {
+        ["physics"] => &kinds::CHANGED_HARDWARE,
+        ["profile"] => &kinds::CHANGED_PROFILE,
+        ["axes", _, "name"] => &kinds::RENAMED,
+        ["name" | "type_name"] => &kinds::RENAMED,
+        // What members are called is how they are found; what repeats follows from the objects.
+        ["id"] | ["repetitions", ..] => return None,
+        [
+            "vendor"
+            | "title"
+            | "about"
+            | "models"
+            | "group"
+            | "documents"
+            | "axes"
+            | "arrangement"
+            | "areas"
+            | "communication_states"
+            | "communication_transitions"
+            | "mode_changes"
+            | "stop_options"
+            | "leds"
+            | "connectors"
+            | "parameters"
+            | "coordinates"
+            | "registers"
+            | "telegrams"
+            | "limits"
+            | "master_settings"
+            | "procedures"
+            | "assumptions"
+            | "remarks"
+            | "errata"
+            | "source",
+            ..,
+        ] => &kinds::CHANGED_TEXT,
+        // A part of the model that is not judged yet is taken for what must not change.
+        _ => &kinds::CHANGED_BEHAVIOUR,
+    })
+}
+
+fn identity(field: &str, versions: Versions<'_>) -> Option<&'static Kind> {
+    let (old, new) = (versions.old.identity.revision, versions.new.identity.revision);
+    Some(match field {
+        "vendor_id" | "product_code" => &kinds::CHANGED_DEVICE,
+        "revision" if new > old => &kinds::RAISED_REVISION,
+        "revision" => &kinds::LOWERED_REVISION,
+        "serial" => &kinds::CHANGED_LABEL,
+        _ => &kinds::CHANGED_TEXT,
+    })
+}
+
+/// Whether something is gone, has come, or is there in both versions.
+enum Presence {
+    Gone,
+    Come,
+    Both,
+}
+
+fn presence(difference: &Difference) -> Presence {
+    match (&difference.first, &difference.second) {
+        (Some(_), None) => Presence::Gone,
+        (None, Some(_)) => Presence::Come,
+        _ => Presence::Both,
+    }
+}
+
+/// Whether another name means another thing, and is not only spelt otherwise.
+fn means_else(difference: &Difference) -> bool {
+    let (Some(old), Some(new)) = (&difference.first, &difference.second) else { return true };
+    near(old, [new.as_str()].into_iter()).is_none()
+}
+
+/// Whether something does what it did.
+fn function(difference: &Difference) -> &'static Kind {
+    if difference.second.as_deref() == Some("true") { &kinds::GAINED_FUNCTION } else { &kinds::LOST_FUNCTION }
+}

@@ -1,0 +1,90 @@
+//! PDOs.
+
+use super::{Judged, Presence, Whole, presence};
+use crate::diff::change::Kind;
+use crate::diff::kinds;
+use crate::diff::place::{Versions, index};
+use crate::model::{Device, Difference, Index, Pdo};
+
+/// The steps of a path that lead to a PDO.
+const TO_A_PDO: usize = 2;
+
+pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Difference) -> Option<Judged> {
+    let (key, rest) = path.split_first()?;
+    if rest.is_empty() {
+        return Some(match presence(difference) {
+            Presence::Gone => (&kinds::REMOVED_PDO).into(),
+            _ => (&kinds::ADDED_PDO).into(),
+        });
+    }
+    let (old, new) = versions.pdo(key)?;
+    let kind: &'static Kind = match rest {
+        ["entries", ..] if layout(old) == layout(new) => return names(rest),
+        ["entries", ..] => {
+            let kind = content(versions, index(key)?, old);
+            let whole = Whole { depth: TO_A_PDO, old: shown(old), new: shown(new) };
+            return Some(Judged { kind, of_whole: Some(whole) });
+        }
+        ["direction"] => &kinds::REMOVED_PDO,
+        ["fixed" | "mandatory"] => restricted(difference.second.as_deref() == Some("true")),
+        ["excludes"] => restricted(new.excludes.iter().any(|other| !old.excludes.contains(other))),
+        ["max_bytes"] => restricted(less(old.max_bytes, new.max_bytes)),
+        ["max_entries"] => restricted(less(old.max_entries, new.max_entries)),
+        ["name"] => &kinds::RENAMED,
+        ["index" | "leading" | "axis"] => return None,
+        _ => &kinds::CHANGED_TEXT,
+    };
+    Some(kind.into())
+}
+
+/// What is where in a PDO.
+fn layout(pdo: &Pdo) -> Vec<(Option<crate::model::Address>, u32, bool)> {
+    // A type decides how the bits are read; without an object it is all there is.
+    let is_signed = |pdo: &crate::model::Mapped| pdo.address.is_none() && pdo.data_type.is_some();
+    pdo.entries.iter().map(|entry| (entry.address, entry.bits, is_signed(entry))).collect()
+}
+
+/// The layout of a PDO, for people.
+fn shown(pdo: &Pdo) -> String {
+    let entries = pdo.entries.iter().map(|entry| match entry.address {
+        Some(address) => address.to_string(),
+        None => format!("{} bits", entry.bits),
+    });
+    let entries: Vec<String> = entries.collect();
+    format!("{} bytes: {}", pdo.bytes(), entries.join(", "))
+}
+
+/// What it means that the content of a PDO is another one.
+fn content(versions: Versions<'_>, index: Index, old: &Pdo) -> &'static Kind {
+    match (is_assigned(versions.old, index), old.fixed) {
+        (true, _) => &kinds::CHANGED_IMAGE,
+        (false, true) => &kinds::CHANGED_FIXED_PDO,
+        (false, false) => &kinds::CHANGED_MAPPING,
+    }
+}
+
+fn is_assigned(device: &Device, index: Index) -> bool {
+    device.sync_managers.iter().any(|manager| manager.pdos.contains(&index))
+}
+
+/// The layout is the same: what differs is what entries are called.
+fn names(path: &[&str]) -> Option<Judged> {
+    match path {
+        [_, _, "name"] => Some((&kinds::RENAMED).into()),
+        // The type is that of the object, of which its own change tells.
+        _ => None,
+    }
+}
+
+fn restricted(is_restricted: bool) -> &'static Kind {
+    if is_restricted { &kinds::RESTRICTED_PDO } else { &kinds::LOOSENED_PDO }
+}
+
+/// Whether a limit is less than before; none is no limit.
+fn less<N: Ord>(old: Option<N>, new: Option<N>) -> bool {
+    match (old, new) {
+        (_, None) => false,
+        (None, Some(_)) => true,
+        (Some(old), Some(new)) => new < old,
+    }
+}

@@ -1,0 +1,58 @@
+//! Time.
+
+use super::{Presence, presence};
+use crate::diff::change::Kind;
+use crate::diff::kinds;
+use crate::diff::place::Versions;
+use crate::model::{CycleTime, Device, Difference, SyncMode};
+
+pub(super) fn sync_mode(versions: Versions<'_>, path: &[&str], difference: &Difference) -> &'static Kind {
+    match (path, presence(difference)) {
+        ([key], Presence::Come) if first(versions.new) != Some(key) => &kinds::ADDED_SYNC_MODE,
+        ([_, "about" | "source"], _) => &kinds::CHANGED_TEXT,
+        _ => &kinds::CHANGED_SYNC_MODE,
+    }
+}
+
+/// The mode that a master takes if nothing is said.
+fn first(device: &Device) -> Option<&str> {
+    let chosen = device.sync_modes.iter().find(|mode| mode.default);
+    chosen.or(device.sync_modes.first()).map(|mode: &SyncMode| mode.id.as_str())
+}
+
+pub(super) fn cycle_time(versions: Versions<'_>, path: &[&str], difference: &Difference) -> &'static Kind {
+    let of = |device: &Device, id: &str| device.cycle_times.iter().find(|time| time.id == id).cloned();
+    let both = |id: &str| of(versions.old, id).zip(of(versions.new, id));
+    match (path, presence(difference)) {
+        ([_], Presence::Gone) => &kinds::SHORTENED_TIME,
+        ([_], _) => &kinds::LENGTHENED_TIME,
+        ([_, "name"], _) => &kinds::RENAMED,
+        ([_, "about" | "source"], _) => &kinds::CHANGED_TEXT,
+        ([id, ..], _) => length(both(id).is_some_and(|(old, new)| is_longer(&old, &new))),
+        ([], _) => &kinds::CHANGED_TEXT,
+    }
+}
+
+/// Whether a cycle that was possible is so no longer.
+fn is_longer(old: &CycleTime, new: &CycleTime) -> bool {
+    let lost = old.choices.iter().any(|choice| !new.choices.contains(choice));
+    let limited = old.choices.is_empty() && !new.choices.is_empty();
+    lost && !new.choices.is_empty() || limited || new.min > old.min
+}
+
+pub(super) fn dead_time(path: &[&str], difference: &Difference) -> &'static Kind {
+    match (path, presence(difference)) {
+        ([], Presence::Gone) => &kinds::SHORTENED_TIME,
+        ([], _) => &kinds::LENGTHENED_TIME,
+        (["cycles" | "plus"], _) => length(number(&difference.second) > number(&difference.first)),
+        _ => &kinds::CHANGED_TEXT,
+    }
+}
+
+fn number(shown: &Option<String>) -> Option<u64> {
+    shown.as_deref()?.split(' ').next()?.parse().ok()
+}
+
+fn length(is_longer: bool) -> &'static Kind {
+    if is_longer { &kinds::LENGTHENED_TIME } else { &kinds::SHORTENED_TIME }
+}

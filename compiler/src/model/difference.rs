@@ -1,0 +1,70 @@
+//! What differs between two parts of the model, and where.
+
+use std::fmt;
+
+use crate::source::{Location, Origin};
+
+/// A way from a part of the model down to a value: `objects`, `0x6040`, `entries`, `0`, `default`.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FieldPath(pub Vec<String>);
+
+/// What differs at a path.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// Where.
+    pub path: FieldPath,
+    /// The value in the first of the two; none if it lacks what stands there.
+    pub first: Option<String>,
+    /// The value in the second.
+    pub second: Option<String>,
+    /// Where the first has it from.
+    pub first_at: Option<Location>,
+    /// Where the second has it from.
+    pub second_at: Option<Location>,
+}
+
+impl FieldPath {
+    /// Does something one step further down.
+    pub(crate) fn within(&mut self, step: impl Into<String>, act: impl FnOnce(&mut Self)) {
+        self.0.push(step.into());
+        act(self);
+        self.0.pop();
+    }
+
+    pub(super) fn differ(&self, first: Option<String>, second: Option<String>) -> Difference {
+        Difference { path: self.clone(), first, second, first_at: None, second_at: None }
+    }
+}
+
+impl Difference {
+    /// Says where the two were written, by the origins of the parts in which they differ, `depth` steps down the path;
+    /// what is known already was found further inside, and is nearer.
+    pub(crate) fn written(mut self, depth: usize, first: Option<&Origin>, second: Option<&Origin>) -> Self {
+        let steps = self.path.0.get(depth..).unwrap_or_default();
+        self.first_at = self.first_at.or_else(|| first.map(|origin| located(origin, steps)));
+        self.second_at = self.second_at.or_else(|| second.map(|origin| located(origin, steps)));
+        self
+    }
+}
+
+/// Where the value of a field was written, as near as the description says it.
+fn located(origin: &Origin, steps: &[String]) -> Location {
+    let keys: Vec<String> = steps.iter().map(|step| key(step)).collect();
+    let known = (1..=keys.len()).rev().filter_map(|length| keys.get(..length)).map(|keys| keys.join("."));
+    known.filter(|path| origin.has(path)).map(|path| origin.value(&path)).next().unwrap_or(origin.header())
+}
+
+/// The key of a field in a description.
+fn key(field: &str) -> String {
+    match field {
+        "data_type" => "type".to_owned(),
+        "fields" => "bits".to_owned(),
+        field => field.replace('_', "-"),
+    }
+}
+
+impl fmt::Display for FieldPath {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.join("."))
+    }
+}
