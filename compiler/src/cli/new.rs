@@ -92,9 +92,8 @@ impl New {
         fs::create_dir_all(&self.folder).map_err(|error| Failure::at("make", &self.folder, &error))?;
         write(&self.folder.join(MAIN_FILE), &text)?;
         let folder = self.folder.display();
-        report.line(&format!(
-            "{folder}/{MAIN_FILE} is a whole drive; `devc build {folder}` makes its outputs"
-        ));
+        report
+            .line(&format!("{folder}/{MAIN_FILE} is a whole drive; `devc build {folder}` makes its outputs"));
         Ok(Outcome::Clean)
     }
 
