@@ -13,8 +13,8 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// The place of the device in the file.
-    pub(super) fn of(&self, heads: &[Head]) -> Result<usize, Refusal> {
+    /// The places of the devices in the file: of one device, or of several that may be a family.
+    pub(super) fn of(&self, heads: &[Head]) -> Result<Vec<usize>, Refusal> {
         let mut left: Vec<(usize, &Head)> = heads.iter().enumerate().collect();
         if let Some(wanted) = &self.device {
             left = named(&left, wanted);
@@ -22,17 +22,34 @@ impl Choice {
         if let Some(revision) = self.revision {
             left.retain(|(_, head)| head.revision == revision);
         }
-        let refuse = |why: &str| {
-            let choices = heads.iter().enumerate().map(|(place, head)| line(place, head));
-            Refusal { place: None, why: why.to_owned(), choices: choices.collect() }
-        };
-        let newest = left.iter().max_by_key(|(place, head)| (head.revision, std::cmp::Reverse(*place)));
-        let Some((place, head)) = newest else {
-            return Err(refuse(if heads.is_empty() { "it has no device" } else { "it has no such device" }));
-        };
-        let one = left.iter().all(|(_, other)| is_same(other, head));
-        if one { Ok(*place) } else { Err(refuse("it has several devices")) }
+        let mut newest: Vec<(usize, &Head)> = Vec::new();
+        for (place, head) in left {
+            match newest.iter_mut().find(|(_, known)| is_same(known, head)) {
+                Some(known) if head.revision > known.1.revision => *known = (place, head),
+                Some(_) => {}
+                None => newest.push((place, head)),
+            }
+        }
+        match newest.len() {
+            0 if heads.is_empty() => Err(refusal("it has no device", heads)),
+            0 => Err(refusal("it has no such device", heads)),
+            1..=MOST_MEMBERS => Ok(newest.into_iter().map(|(place, _)| place).collect()),
+            _ => Err(several(heads)),
+        }
     }
+}
+
+/// How many devices are tried as a family.
+const MOST_MEMBERS: usize = 16;
+
+/// That a file has several devices that are no family.
+pub(super) fn several(heads: &[Head]) -> Refusal {
+    refusal("it has several devices", heads)
+}
+
+fn refusal(why: &str, heads: &[Head]) -> Refusal {
+    let choices = heads.iter().enumerate().map(|(place, head)| line(place, head));
+    Refusal { place: None, why: why.to_owned(), choices: choices.collect() }
 }
 
 /// Whether two are versions of one device.

@@ -17,6 +17,8 @@ pub use report::{Note, NoteKind, Report};
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use self::read::Element;
+use self::recognise::Draft;
 use crate::diagnostic::Level;
 use crate::source::Memory;
 
@@ -55,18 +57,28 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
     })?;
     let elements = read::devices(&root);
     let heads: Vec<_> = elements.iter().map(|element| read::head(element)).collect();
-    let chosen = choice.of(&heads)?;
-    let none = || Refusal { place: None, why: "it has no device".to_owned(), choices: Vec::new() };
-    let element = elements.get(chosen).ok_or_else(none)?;
+    let chosen: Vec<&Element<'_>> =
+        choice.of(&heads)?.into_iter().filter_map(|place| elements.get(place).copied()).collect();
     let esi = read::file(&root);
-    let device = read::device(element);
-    let mut report = Report { facts: element.facts(), notes: Vec::new() };
-    let draft = recognise::device(&esi, &device, &mut report);
-    report.unread(element.unread());
+    let mut report = Report::default();
+    let mut members: Vec<(String, String, Draft)> =
+        chosen.iter().map(|element| member(&esi, element, &mut report)).collect();
     report.finish(&text);
-    let id = crate::model::ids::id(&device.head.name);
+    let alone = members.pop_if(|_| chosen.len() == 1).map(|(_, name, draft)| (name, draft));
+    let family = || recognise::family(members).map(|draft| (draft.name(), draft));
+    let (name_of_it, draft) = alone.or_else(family).ok_or_else(|| choose::several(&heads))?;
+    let id = crate::model::ids::id(&name_of_it);
     let files = checked(&draft, name)?;
     Ok(Imported { id, files, report })
+}
+
+/// A device of a file as a description, with the word for it and its name.
+fn member(esi: &read::Esi, element: &Element<'_>, report: &mut Report) -> (String, String, Draft) {
+    let device = read::device(element);
+    report.facts += element.facts();
+    let draft = recognise::device(esi, &device, report);
+    report.unread(element.unread());
+    (device.head.type_name, device.head.name, draft)
 }
 
 fn place(text: &str, at: read::At) -> (usize, usize) {
@@ -76,7 +88,7 @@ fn place(text: &str, at: read::At) -> (usize, usize) {
 }
 
 /// The files, with the rules named that the vendor's data break. A description that devc refuses is not given out.
-fn checked(draft: &recognise::Draft, name: &str) -> Result<BTreeMap<String, String>, Refusal> {
+fn checked(draft: &Draft, name: &str) -> Result<BTreeMap<String, String>, Refusal> {
     let files = write::files(draft, name, &[]);
     let compilation = compiled(&files);
     let errors = || compilation.diagnostics.iter().filter(|it| it.level == Level::Error);

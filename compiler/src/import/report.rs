@@ -117,7 +117,7 @@ impl Report {
                 _ => format!(", {times} times"),
             };
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "  {}: {what}{times}, at {file}:{line}:{column}: {why}", kind.name());
+            let _ = writeln!(text, "  {}: {what}{times}, at {line}:{column}: {why}", kind.name());
         }
         text
     }

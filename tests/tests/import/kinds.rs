@@ -156,3 +156,91 @@ fn what_is_no_esi_file_is_refused_with_the_reason() {
     assert!(why("<EtherCATInfo/>").contains("no device"));
     assert!(why("<EtherCATInfo></EtherCAT>").len() > 10);
 }
+
+/// A file with the drive, and with another that differs a little.
+fn two_drives() -> String {
+    let start = DRIVE.find("<Device ").expect("a device");
+    let end = DRIVE.find("</Devices>").expect("their end");
+    let other = DRIVE[start..end]
+        .replace("#x00004711", "#x00004712")
+        .replace("XD-100", "XD-200")
+        .replace("<MaxValue>#x3E8</MaxValue>", "<MaxValue>2000</MaxValue>");
+    format!("{}{other}{}", &DRIVE[..end], &DRIVE[end..])
+}
+
+#[test]
+fn devices_that_share_most_are_a_family() {
+    let xml = two_drives();
+    let imported = imported(&xml);
+    let members = &imported.files["members.toml"];
+    assert!(members.contains("[members.xd-100.identity]\nproduct-code = 0x00004711\n"), "{members}");
+    assert!(members.contains("[members.xd-200.objects]\n0x607A = { min = -1000, max = 2000 }"), "{members}");
+    assert!(!members.contains("0x6040"), "{members}");
+    let (made, _) = super::round_trip::compiled(&imported).expect("an ESI file");
+    super::round_trip::same_devices(&xml, &made, 2);
+}
+
+#[test]
+fn axes_are_described_once() {
+    let value = |index: u32, way: &str| {
+        format!(
+            "<Object><Index>#x{index:04X}</Index><Name>Value</Name><Type>UINT</Type><BitSize>16</BitSize>\
+             <Flags><Access>rw</Access><PdoMapping>{way}</PdoMapping></Flags></Object>"
+        )
+    };
+    let objects: String = (0..3)
+        .flat_map(|axis| [value(0x6040 + axis * 0x800, "R"), value(0x6041 + axis * 0x800, "T")])
+        .collect();
+    let pdo = |axis: u32, tag: &str, sm: u32, pdo: u32, object: u32| {
+        format!(
+            "<{tag} Fixed=\"1\" Sm=\"{sm}\"><Index>#x{:X}</Index><Name>P</Name><Entry><Index>#x{:X}</Index>\
+             <SubIndex>0</SubIndex><BitLen>16</BitLen><Name>Value</Name></Entry></{tag}>",
+            pdo + axis * 0x10,
+            object + axis * 0x800
+        )
+    };
+    let rx: String = (0..3).map(|axis| pdo(axis, "RxPdo", 2, 0x1600, 0x6040)).collect();
+    let tx: String = (0..3).map(|axis| pdo(axis, "TxPdo", 3, 0x1A00, 0x6041)).collect();
+    let managers: String = [("MBoxOut", 0x1000, 0x26), ("MBoxIn", 0x1100, 0x22), ("Outputs", 0x1200, 0x64), ("Inputs", 0x1400, 0x20)]
+        .map(|(name, at, control)| {
+            let size = if at < 0x1200 { 128 } else { 6 };
+            format!("<Sm DefaultSize=\"{size}\" StartAddress=\"#x{at:X}\" ControlByte=\"#x{control:X}\" Enable=\"1\">{name}</Sm>")
+        })
+        .concat();
+    let xml = file(&format!(
+        "<Profile><ProfileNo>402</ProfileNo><Dictionary><DataTypes><DataType><Name>UINT</Name><BitSize>16</BitSize>\
+         </DataType></DataTypes><Objects>{objects}</Objects></Dictionary></Profile>{managers}{rx}{tx}\
+         <Mailbox DataLinkLayer=\"1\"><CoE/></Mailbox>"
+    ));
+    let text = description(&xml);
+    assert!(text.contains("names  = [\"A\", \"B\", \"C\"]"), "{text}");
+    assert!(!text.contains("0x6840") && !text.contains("0x1610"), "{text}");
+    let trip = trip(xml.as_bytes(), 1).expect("a round trip");
+    assert_eq!(trip.changed, []);
+}
+
+#[test]
+fn what_differs_between_axes_is_said_per_axis() {
+    let value = |index: u32, name: &str, max: u32| {
+        format!(
+            "<Object><Index>#x{index:04X}</Index><Name>{name}</Name><Type>UINT</Type><BitSize>16</BitSize>\
+             <Info><MaxData>{max:04X}</MaxData></Info><Flags><Access>rw</Access></Flags></Object>"
+        )
+    };
+    let objects = [
+        value(0x6040, "Word", 1),
+        value(0x6041, "State", 1),
+        value(0x6042, "Alone", 1),
+        value(0x6840, "Word", 2),
+        value(0x6841, "State 2", 1),
+    ]
+    .concat();
+    let xml = file(&format!(
+        "<Profile><Dictionary><DataTypes/><Objects>{objects}</Objects></Dictionary></Profile>"
+    ));
+    let text = description(&xml);
+    assert!(text.contains("per-axis = { B = { max = 512 } }"), "{text}");
+    assert!(text.contains("per-axis = { B = { name = \"State 2\" } }"), "{text}");
+    assert!(text.contains("range = \"0x6040..=0x6041\""), "{text}");
+    assert_eq!(trip(xml.as_bytes(), 1).expect("a round trip").changed, []);
+}

@@ -47,6 +47,17 @@ pub(crate) fn compiled(imported: &Imported) -> Result<(String, usize), String> {
     Ok((emitter.emit(&family, &Options::default()), warnings))
 }
 
+/// That each of the devices of two files says the same in both.
+pub(crate) fn same_devices(xml: &str, made: &str, count: usize) {
+    let before = roxmltree::Document::parse(xml).expect("XML");
+    let after = roxmltree::Document::parse(made).expect("XML");
+    let (before, after) = (facts::devices(&before), facts::devices(&after));
+    assert_eq!((before.len(), after.len()), (count, count));
+    for (before, after) in before.into_iter().zip(after) {
+        assert_eq!(changed(&facts::of(before), &facts::of(after)), []);
+    }
+}
+
 fn changed(before: &Facts, after: &Facts) -> Vec<(String, String, Option<String>)> {
     let mut changed = Vec::new();
     for (key, fact) in before {

@@ -35,24 +35,28 @@ fn block(mode: &OpMode, first: bool, report: &mut Report) -> Block {
     }
     for (name, signal) in [("sync0", &mode.sync0), ("sync1", &mode.sync1)] {
         if let Some(signal) = signal {
-            set(&mut keys, name, Toml::Table(self::signal(signal, name, &mode.name, report)));
+            set(&mut keys, name, Toml::Table(self::signal(signal, name, report)));
         }
     }
     Block::new("sync-modes", Some(mode.name.clone()), keys)
 }
 
-fn signal(signal: &Signal, name: &str, mode: &str, report: &mut Report) -> Keys {
+fn signal(signal: &Signal, name: &str, report: &mut Report) -> Keys {
     let mut keys = Keys::new();
     if signal.cycle != 0 {
-        let why = format!("{} ns: a period is so many cycles of the master", signal.cycle);
-        report.lose(signal.at, 1, format!("the fixed period of {name} of OpMode `{mode}`"), why);
+        let why = "a period is so many cycles of the master";
+        report.lose(signal.at, 1, format!("the fixed period of {name} of an OpMode"), why);
     }
     if let Some(factor) = signal.factor.filter(|factor| *factor != 1) {
         set(&mut keys, "cycles", Toml::Integer(factor.into()));
     }
     if signal.shift < 0 {
-        let why = format!("{} ns: a shift is never negative", signal.shift);
-        report.lose(signal.at, 1, format!("the shift of {name} of OpMode `{mode}`"), why);
+        report.lose(
+            signal.at,
+            1,
+            format!("the negative shift of {name} of an OpMode"),
+            "a shift is never negative",
+        );
     } else if signal.shift > 0 {
         set(&mut keys, "shift", Toml::text(time(signal.shift)));
     }

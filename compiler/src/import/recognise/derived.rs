@@ -51,7 +51,7 @@ pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> 
         );
         return None;
     };
-    compare(object, &made, &what, report);
+    compare(object, &made, report);
     let keys = access(object, made.access, report);
     let mentioned = matches!(object.index, 0x1C10 | 0x1C11);
     let differs = !keys.is_empty() || mentioned;
@@ -108,7 +108,7 @@ fn made<'b>(object: &Object, basis: &Basis<'b>) -> Option<Made<'b>> {
 }
 
 /// Reports what of the file is not as it follows from its PDOs.
-fn compare(object: &Object, made: &Made<'_>, what: &str, report: &mut Report) {
+fn compare(object: &Object, made: &Made<'_>, report: &mut Report) {
     if object.name.as_ref().is_some_and(|name| !words::alike(name, made.name)) {
         report.lose(
             object.at,
@@ -124,28 +124,32 @@ fn compare(object: &Object, made: &Made<'_>, what: &str, report: &mut Report) {
         report.lose(object.at, 1, "the category of an object that follows from others", why);
     }
     if !matches!(object.index, 0x1C00 | 0x1C10 | 0x1C11) {
-        beyond(object, made, &entries, what, report);
-        defaults(made, &entries, what, report);
+        beyond(object, made, &entries, report);
+        defaults(made, &entries, report);
     }
 }
 
 /// Reports entries that a PDO does not fill.
-fn beyond(object: &Object, made: &Made<'_>, entries: &[&Value], what: &str, report: &mut Report) {
+fn beyond(object: &Object, made: &Made<'_>, entries: &[&Value], report: &mut Report) {
     let beyond = entries.get(made.values.len()..).unwrap_or_default();
-    if let Some(first) = beyond.first().filter(|_| !matches!(object.index, 0x1C12 | 0x1C13)) {
-        let why = format!("its PDO maps {}", made.values.len());
+    if !beyond.is_empty() && !matches!(object.index, 0x1C12 | 0x1C13) {
         let facts = beyond.iter().map(|entry| facts(entry)).sum();
-        report.lose(object.at, facts, format!("entries of {what} from {} on", first.subindex), why);
+        report.lose(
+            object.at,
+            facts,
+            "entries of a mapping object beyond those of its PDO",
+            "they follow from the PDO",
+        );
     }
 }
 
 /// Reports defaults that are not what the PDOs say.
-fn defaults(made: &Made<'_>, entries: &[&Value], what: &str, report: &mut Report) {
+fn defaults(made: &Made<'_>, entries: &[&Value], report: &mut Report) {
     for (entry, value) in entries.iter().zip(&made.values) {
         let stated = entry.default.as_ref().and_then(|datum| integer(&datum.written));
-        if let Some(stated) = stated.filter(|stated| stated != value) {
-            let why = format!("0x{stated:X} is not what the PDO says, which is 0x{value:X}");
-            report.lose(entry.at, 1, format!("the default of {what}:{:02X}", entry.subindex), why);
+        if stated.is_some_and(|stated| stated != *value) {
+            let why = "it follows from the PDOs, which say otherwise";
+            report.lose(entry.at, 1, "the default of a mapping or assignment object", why);
         }
     }
 }

@@ -6,6 +6,7 @@ mod derived;
 mod described;
 mod draft;
 mod entries;
+mod family;
 mod head;
 mod literal;
 mod objects;
@@ -18,6 +19,7 @@ mod value;
 mod words;
 
 pub(super) use draft::{Block, Draft};
+pub(super) use family::family;
 
 use std::collections::BTreeSet;
 

@@ -30,20 +30,12 @@ impl<'b> Section<'b> {
 /// The tables of one section: first those of a line each, then the others.
 fn section(blocks: &[Block]) -> String {
     let mut text = String::new();
+    let all_short = blocks.len() > 2 && blocks.iter().all(is_short);
     let (short, long): (Vec<&Block>, Vec<&Block>) =
-        blocks.iter().partition(|block| is_short(block, blocks.len()));
+        blocks.iter().partition(|block| is_short(block) && (all_short || section_name(block) == "objects"));
     if let Some(first) = short.first() {
         text += &format!("[{}]\n", first.section);
-        let widest = short
-            .iter()
-            .filter_map(|block| block.key.as_deref())
-            .map(|name| key(name).len())
-            .max()
-            .unwrap_or(0);
-        for block in &short {
-            text +=
-                &format!("{:widest$} = {}\n", key(block.key.as_deref().unwrap_or_default()), inline(block));
-        }
+        text += &lines(short.iter().map(|block| (block.key.as_deref().unwrap_or_default(), inline(block))));
         text.push('\n');
     }
     for block in long {
@@ -53,11 +45,23 @@ fn section(blocks: &[Block]) -> String {
     text
 }
 
-/// Whether a table is written in the one line of its key.
-fn is_short(block: &Block, siblings: usize) -> bool {
+/// Whether a table can be written in the one line of its key. Where order counts, all of a section have to be.
+fn is_short(block: &Block) -> bool {
     let Some(name) = &block.key else { return false };
-    let is_object = block.section == "objects" || block.section == "sync-modes" && siblings > 2;
-    is_object && block.remarks.is_empty() && key(name).len() + 3 + inline(block).len() <= WIDTH
+    let known = ["objects", "rx-pdos", "tx-pdos", "sync-modes"].contains(&section_name(block));
+    known && block.remarks.is_empty() && key(name).len() + 3 + inline(block).len() <= WIDTH
+}
+
+/// The name of the section without the member it is of.
+fn section_name(block: &Block) -> &str {
+    block.section.rsplit('.').next().unwrap_or_default()
+}
+
+/// Keys with their values, aligned.
+fn lines<'n>(keys: impl Iterator<Item = (&'n str, String)>) -> String {
+    let keys: Vec<(String, String)> = keys.map(|(name, value)| (key(name), value)).collect();
+    let widest = keys.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    keys.iter().map(|(name, value)| format!("{name:widest$} = {value}\n")).collect()
 }
 
 fn inline(block: &Block) -> String {
@@ -72,29 +76,34 @@ fn table(block: &Block) -> String {
     }
     let path = match &block.key {
         Some(name) => format!("{}.{}", block.section, key(name)),
-        None => block.section.to_owned(),
+        None => block.section.clone(),
     };
-    text += &format!("[{path}]\n");
-    let (inner, own): (Keys, Keys) = block.keys.iter().cloned().partition(|(_, value)| is_inner(value));
-    let widest = own.iter().map(|(name, _)| key(name).len()).max().unwrap_or(0);
-    for (name, value) in &own {
-        text += &format!("{:widest$} = {}\n", key(name), laid_out(value, widest + 3));
+    text + &tables(&path, &block.keys)
+}
+
+/// A table, and those within it that are too long for a line.
+fn tables(path: &str, keys: &Keys) -> String {
+    let widest = keys.iter().map(|(name, _)| key(name).len()).max().unwrap_or(0);
+    let is_inner = |name: &str, value: &Toml| {
+        let is_long = widest.max(key(name).len()) + 3 + value.inline().len() > WIDTH;
+        matches!(value, Toml::Table(keys) if is_long || NAMED.contains(&name) && keys.len() > 2)
+    };
+    let (inner, own): (Vec<_>, Vec<_>) = keys.iter().partition(|(name, value)| is_inner(name, value));
+    let mut text = String::new();
+    if !own.is_empty() || inner.is_empty() {
+        text += &format!("[{path}]\n");
+        text += &lines(own.iter().map(|(name, value)| (name.as_str(), laid_out(value, widest + 3))));
     }
-    for (name, value) in &inner {
-        let Toml::Table(keys) = value else { continue };
-        text += &format!("[{path}.{}]\n", key(name));
-        let widest = keys.iter().map(|(name, _)| key(name).len()).max().unwrap_or(0);
-        for (name, value) in keys {
-            text += &format!("{:widest$} = {}\n", key(name), value.inline());
+    for (name, value) in inner {
+        if let Toml::Table(keys) = value {
+            text += &tables(&format!("{path}.{}", key(name)), keys);
         }
     }
     text
 }
 
-/// Whether a value is written as a table of its own.
-fn is_inner(value: &Toml) -> bool {
-    matches!(value, Toml::Table(keys) if keys.len() > 2 || value.inline().len() > WIDTH - 20)
-}
+/// Tables of a line for each of what they name.
+const NAMED: [&str; 2] = ["entries", "values"];
 
 /// A list that is too long for a line has a line an item.
 fn laid_out(value: &Toml, before: usize) -> String {

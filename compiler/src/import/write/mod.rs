@@ -16,8 +16,13 @@ const MOST_LINES: usize = 150;
 pub(super) fn files(draft: &Draft, from: &str, lints: &[String]) -> BTreeMap<String, String> {
     let pdos = Section::of(&draft.pdos).text();
     let objects = Section::of(&draft.objects).text();
+    let members = Section::of(&draft.members).text();
     let device = Section::of(&draft.device).text();
-    let parts = [("pdos.toml", "Process data", pdos), ("objects.toml", "The dictionary", objects)];
+    let parts = [
+        ("members.toml", "What members have of their own", members),
+        ("pdos.toml", "Process data", pdos),
+        ("objects.toml", "The dictionary", objects),
+    ];
     let lines: usize = parts.iter().map(|(_, _, text)| text.lines().count()).sum();
     let apart = lines > MOST_LINES;
     let included: Vec<&str> =
