@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::facts;
-use super::round_trip::trip;
+use super::round_trip::{is_mapping, trip};
 
 /// Where they lie, if they do; `DEVC_CORPUS` names another folder.
 fn files() -> Vec<PathBuf> {
@@ -27,6 +27,7 @@ fn most() -> usize {
 #[test]
 fn real_files_are_imported_or_refused_with_a_reason() {
     let mut total = (0, 0, 0, 0, 0);
+    let mut mappings = (0, 0);
     let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
     let mut faults = Vec::new();
     for path in files() {
@@ -53,6 +54,8 @@ fn real_files_are_imported_or_refused_with_a_reason() {
             let lines: usize = made.imported.files.values().map(|text| text.lines().count()).sum();
             let objects = made.imported.files.values().map(|text| text.matches("0x").count()).sum::<usize>();
             let (facts, lost) = (made.facts, made.changed.len());
+            let apart = made.changed.iter().filter(|(key, ..)| is_mapping(key)).count();
+            mappings = (mappings.0 + made.mappings, mappings.1 + apart);
             println!(
                 "{file} {number}/{count}: {facts} facts, {lost} changed, {} silent, report {}/{}, {lines} lines, {objects} indices, {} warnings, {:?}",
                 made.silent.len(),
@@ -85,6 +88,7 @@ fn real_files_are_imported_or_refused_with_a_reason() {
         }
     }
     let (devices, facts, lost, silent, lines) = total;
+    println!("of mapping objects: {} facts, {} changed", mappings.0, mappings.1);
     println!("{devices} devices, {facts} facts, {lost} changed, {silent} silent, {lines} lines; {kinds:#?}");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     assert_eq!(silent, 0, "facts are lost without a word");

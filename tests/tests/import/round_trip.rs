@@ -10,6 +10,8 @@ use super::facts::{self, Facts};
 #[derive(Debug)]
 pub(crate) struct Trip {
     pub(crate) facts: usize,
+    /// Those of mapping objects, which follow from PDOs.
+    pub(crate) mappings: usize,
     /// What is not the same any more, by fact: what was there, and what is there now.
     pub(crate) changed: Vec<(String, String, Option<String>)>,
     /// Those of them that the report says nothing of.
@@ -29,9 +31,10 @@ pub(crate) fn trip(bytes: &[u8], number: usize) -> Result<Trip, String> {
     let document = roxmltree::Document::parse(&xml).map_err(|error| error.to_string())?;
     let after = facts::of(facts::devices(&document)[0]);
     let changed = changed(&before, &after);
+    let mappings = before.keys().filter(|key| is_mapping(key)).count();
     let silent = changed.iter().filter(|(key, ..)| !is_reported(&before, key, &imported));
     let silent = silent.map(|(key, was, is)| format!("{key}: {was} became {is:?}")).collect();
-    Ok(Trip { facts: before.len(), changed, silent, imported, warnings })
+    Ok(Trip { facts: before.len(), mappings, changed, silent, imported, warnings })
 }
 
 /// The ESI that devc makes of the files, and how many warnings it has about them.
@@ -45,6 +48,12 @@ pub(crate) fn compiled(imported: &Imported) -> Result<(String, usize), String> {
     let Some(family) = compilation.family else { return Err(format!("does not compile: {messages:?}")) };
     let emitter = emit::ALL.iter().find(|emitter| emitter.name() == "xml").expect("an emitter of ESI");
     Ok((emitter.emit(&family, &Options::default()), warnings))
+}
+
+/// Whether a fact is one of a mapping object.
+pub(crate) fn is_mapping(key: &str) -> bool {
+    let index = key.strip_prefix("object/").and_then(|rest| u16::from_str_radix(rest.get(..4)?, 16).ok());
+    index.is_some_and(|index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF))
 }
 
 /// That each of the devices of two files says the same in both.

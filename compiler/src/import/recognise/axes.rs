@@ -61,7 +61,7 @@ impl Axes {
         let places =
             objects.iter().filter(areas).map(|it| FIRST.start() + (it.index - FIRST.start()) % OBJECTS);
         let mut ranges: Vec<(u16, u16)> = Vec::new();
-        let mut open = false;
+        let (mut open, mut all) = (false, true);
         for place in places.collect::<BTreeSet<_>>() {
             let shared = self.shared.contains_key(&place);
             match ranges.last_mut() {
@@ -70,11 +70,11 @@ impl Axes {
                 _ => {}
             }
             open = shared;
+            all &= shared;
         }
-        match ranges.as_mut_slice() {
-            // One range for all is the area of the profile.
-            [only] => *only = (*FIRST.start(), *FIRST.end()),
-            _ => {}
+        // One range for all is the area of the profile.
+        if all && !ranges.is_empty() {
+            return vec![(*FIRST.start(), *FIRST.end())];
         }
         ranges
     }

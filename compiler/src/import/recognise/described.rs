@@ -37,6 +37,8 @@ pub(super) fn described(object: &Object, report: &mut Report) -> Option<Describe
         values.extend(said(value, &at, kind == Kind::Var, report));
     }
     values.sort_by_key(|value| value.subindex);
+    // What has nothing but subindex 0 is a single value, however its type is declared.
+    let kind = if matches!(values.as_slice(), [only] if only.subindex == 0) { Kind::Var } else { kind };
     let nothing = values.is_empty();
     (!nothing).then(|| Described {
         at: object.at,
