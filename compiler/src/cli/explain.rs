@@ -1,20 +1,24 @@
 //! `devc explain`
 
+use std::path::Path;
+
 use clap::Args;
-use devc::explain::{Unknown, explain};
+use devc::explain::{Unknown, explain, explain_description, explain_word};
+use devc::source::{Disk, MAIN_FILE};
 
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
 
-/// Explain a rule, a profile, or what profiles define.
+/// Explain a rule, a kind of change, a profile, or what profiles and descriptions define.
 ///
 /// A rule: why it matters, with an example that breaks it and one that keeps it. A profile: what a description can refer
-/// to. An index, a code, an id or a name: what the profiles say of it.
+/// to. An index, a code, an id or a name: what the profiles say of it, or the description whose folder stands in front. A
+/// value of a word: the state, the command and the bits.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Explain {
-    /// A rule, as in the brackets of `error[unknown-key]`; a profile; an index, a code or a name, which a profile and a
-    /// word such as `mode` or `error` in front narrow.
+    /// A rule, as in the brackets of `error[unknown-key]`; a profile; an index, a code or a name, which a profile or the
+    /// folder of a description, and a word such as `mode` or `error` in front narrow.
     #[arg(required = true, value_name = "WORD", allow_negative_numbers = true)]
     words: Vec<String>,
 }
@@ -27,13 +31,26 @@ Examples:
   devc explain cia402 0x60FE:01     an entry of an object
   devc explain target position      a thing by its name
   devc explain mode 8               one of several things with this number
-  devc explain cia402 errors        all of a kind";
+  devc explain cia402 errors        all of a kind
+  devc explain devices/s700 0x2000  what a description says of an object
+  devc explain devices/s700 status 0x0637
+                                    what the bits of a word mean for a drive";
 
 impl Explain {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
-        let answer = explain(&self.words).map_err(|unknown| self.failure(&unknown))?;
+        let answer = self.of_description().unwrap_or_else(|| explain(&self.words));
+        let answer = answer.map_err(|unknown| self.failure(&unknown))?;
         report.line(&answer);
         Ok(Outcome::Clean)
+    }
+
+    /// What a description says, if its folder stands in front.
+    fn of_description(&self) -> Option<Result<String, Unknown>> {
+        let (first, words) = self.words.split_first().filter(|(_, words)| !words.is_empty())?;
+        let path = Path::new(first);
+        path.join(MAIN_FILE).is_file().then_some(())?;
+        let of_word = bits(path, words).map(Ok);
+        of_word.or_else(|| explain_description(&Disk, path, words))
     }
 
     fn failure(&self, Unknown { near }: &Unknown) -> Failure {
@@ -45,4 +62,23 @@ impl Explain {
         };
         Failure::new(format!("nothing is known of `{}`", self.words.join(" "))).help(help)
     }
+}
+
+/// What a value of a word means for a drive, and for each member of a family for which it means something else.
+fn bits(path: &Path, words: &[String]) -> Option<String> {
+    let [word, value] = words else { return None };
+    let digits = value.strip_prefix("0x");
+    let value = digits.map_or_else(|| value.parse().ok(), |digits| u64::from_str_radix(digits, 16).ok())?;
+    let compilation = devc::compile(&Disk, path);
+    let mut answers: Vec<String> = Vec::new();
+    for device in &compilation.family.as_ref()?.members {
+        let answer = explain_word(device, word, value)?;
+        let same = |other: &String| {
+            other.split_once('\n').map(|(_, bits)| bits) == answer.split_once('\n').map(|(_, bits)| bits)
+        };
+        if !answers.iter().any(same) {
+            answers.push(answer);
+        }
+    }
+    Some(answers.join("\n\n"))
 }

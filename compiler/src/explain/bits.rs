@@ -22,10 +22,20 @@ pub fn word(device: &Device, name: &str, value: u64) -> Option<String> {
 /// What the pattern of all bits says: a state, or commands.
 fn shown(device: &Device, word: &Word, value: u64) -> Vec<String> {
     let low = u16::try_from(value & 0xFFFF).unwrap_or(0);
-    let fits = |pattern: &Option<Pattern>| pattern.as_ref().is_some_and(|pattern| low & pattern.mask() == pattern.value());
-    let states = device.states.iter().filter(|state| fits(&state.pattern)).map(|state| format!("  shows {}", state.name));
+    let fits = |pattern: &Option<Pattern>| {
+        pattern.as_ref().is_some_and(|pattern| low & pattern.mask() == pattern.value())
+    };
+    let states = device
+        .states
+        .iter()
+        .filter(|state| fits(&state.pattern))
+        .map(|state| format!("  shows {}", state.name));
     let commands = device.commands.iter().filter(|command| fits(&command.pattern)).map(|command| {
-        let edge = if command.pattern.as_ref().is_some_and(|pattern| pattern.rising() != 0) { ", with its edge" } else { "" };
+        let edge = if command.pattern.as_ref().is_some_and(|pattern| pattern.rising() != 0) {
+            ", with its edge"
+        } else {
+            ""
+        };
         format!("  asks for {}{edge}", command.name)
     });
     let lines: Vec<String> = match word.id.as_str() {
@@ -42,8 +52,13 @@ fn bits(field: &Field, value: u64) -> Option<Vec<String>> {
     if raw == 0 && field.reserved {
         return None;
     }
-    let range = if field.low == field.high { field.low.to_string() } else { format!("{} to {}", field.low, field.high) };
-    let meaning = i64::try_from(raw).ok().and_then(|raw| field.values.iter().find(|meaning| meaning.value == raw));
+    let range = if field.low == field.high {
+        field.low.to_string()
+    } else {
+        format!("{} to {}", field.low, field.high)
+    };
+    let meaning =
+        i64::try_from(raw).ok().and_then(|raw| field.values.iter().find(|meaning| meaning.value == raw));
     let meaning = meaning.map_or(String::new(), |meaning| format!(": {}", meaning.name));
     let unit = if field.low == field.high { "bit" } else { "bits" };
     Some(vec![format!("{unit} {range}"), raw.to_string(), format!("{}{meaning}", field.name)])

@@ -1,7 +1,8 @@
 //! What devc knows of a word: the rule or the kind of change of this name, or what the profiles say of it.
 //!
-//! Questions are asked of trees, as files of TOML are parsed into, so that a description could be asked as well.
+//! Questions are asked of trees, as files of TOML are parsed into, so that a description can be asked as well.
 
+mod bits;
 mod entity;
 mod find;
 mod layout;
@@ -13,9 +14,14 @@ mod tree;
 mod view;
 mod word;
 
-use crate::diagnostic::Rule;
+use std::path::Path;
+
+use crate::diagnostic::{Diagnostics, Rule};
 use crate::diff::Kind;
+use crate::raw::over_profile;
+use crate::source::{Loader, Sources, load};
 use crate::{diff, profiles, rules};
+pub use bits::word as explain_word;
 use find::{Found, find};
 use tree::Trees;
 use word::Phrase;
@@ -44,6 +50,23 @@ pub fn explain(words: &[String]) -> Result<String, Unknown> {
         return Ok(of_kind(kind));
     }
     answer(&Trees::of(profiles::ALL), &Phrase::new(words))
+}
+
+/// Tells what the description at `path` says of some words, as [`explain`] tells of profiles; none if there is no
+/// description that can be read.
+///
+/// # Errors
+/// If it says nothing of them.
+pub fn explain_description(
+    loader: &dyn Loader,
+    path: &Path,
+    words: &[String],
+) -> Option<Result<String, Unknown>> {
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let document = load(loader, path, profiles::ALL, &mut sources, &mut diagnostics)?;
+    let root = over_profile(&document.root, &document.profile);
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    Some(answer(&Trees::one(name, root, sources), &Phrase::new(words)))
 }
 
 /// What trees say of a phrase.

@@ -30,6 +30,12 @@ impl Trees {
         Self { trees: profiles.iter().map(tree).collect(), sources }
     }
 
+    /// A description with what profiles say of what it mentions.
+    pub(super) fn one(name: String, root: Table, sources: Sources) -> Self {
+        let about = sources.get(root.at.file).map_or_else(String::new, |file| comment(&file.text));
+        Self { trees: vec![Tree { name, about, root }], sources }
+    }
+
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         self.trees.iter().map(|tree| tree.name.as_str())
     }

@@ -10,7 +10,7 @@ use crate::source::{CanonicalKey, Member, Node, Table, Value, parts};
 ///
 /// What `root` does not mention stays out: a profile is a store of things to refer to, not a list of things
 /// that a device has.
-pub(super) fn over_profile(root: &Table, profile: &Table) -> Table {
+pub(crate) fn over_profile(root: &Table, profile: &Table) -> Table {
     let members = root
         .members
         .iter()

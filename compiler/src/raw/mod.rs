@@ -28,6 +28,8 @@ mod unit;
 mod word;
 
 pub use axes::{RawAxes, RawShift};
+#[cfg(feature = "cli")]
+pub(crate) use compose::over_profile;
 pub use configuration::RawConfiguration;
 pub use coordinates::{RawAxisGroup, RawCoordinates, RawGroup};
 pub use device::RawDevice;

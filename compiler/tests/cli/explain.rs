@@ -124,3 +124,30 @@ fn unknown_words_are_answered_with_those_that_look_like_them() {
     fails("0x60FE:09", &["nothing is known of `0x60FE:09`"]);
     fails("nonsense", &["`devc rules` lists all rules", "`devc explain cia402`"]);
 }
+
+/// What the words mean is from the tables of CiA 402-2 (IEC 61800-7-201): the states and the commands by their bits.
+#[test]
+fn a_drive_is_asked_for_its_words() {
+    let desk = Desk::new(&[]);
+    desk.devc(&["new", "devices/d", "--mode", "csp,hm"]).ends(0, &[]);
+    let asked = |word, value| desk.devc(&["explain", "devices/d", word, value]).out;
+    for (value, state) in [
+        ("0x0250", "Switch on disabled"),
+        ("0x0231", "Ready to switch on"),
+        ("0x0233", "Switched on"),
+        ("0x0237", "Operation enabled"),
+        ("0x0217", "Quick stop active"),
+        ("0x021F", "Fault reaction active"),
+        ("536", "Fault"),
+    ] {
+        let answer = asked("status", value);
+        assert!(answer.contains(&format!("  shows {state}\n")), "{value}: {answer}");
+    }
+    for (value, command) in [("0x06", "Shutdown"), ("0x0F", "Enable operation"), ("0x00", "Disable voltage")]
+    {
+        let answer = asked("controlword", value);
+        assert!(answer.contains(&format!("  asks for {command}\n")), "{value}: {answer}");
+    }
+    assert!(asked("object", "0x2000").contains("Ramp time"));
+    desk.devc(&["explain", "devices/d", "error", "0x7305"]).ends(2, &["nothing is known"]);
+}

@@ -192,7 +192,7 @@ fn count(object: &Described, report: &mut Report) -> Option<(String, Toml)> {
             what,
             format!("{} is taken for UINT8, as ETG.1000.6 fixes it", count.data_type),
         );
-        keys.retain(|(name, value)| !(name == "default" && !matches!(value, Toml::Integer(0..=255))));
+        keys.retain(|(name, value)| name != "default" || matches!(value, Toml::Integer(0..=255)));
     }
     (!keys.is_empty()).then(|| ("0".to_owned(), Toml::Table(keys)))
 }
