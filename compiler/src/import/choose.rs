@@ -29,6 +29,9 @@ impl Choice {
                 Some(_) => {}
                 None => newest.push((place, head)),
             }
+            if newest.len() > MOST_MEMBERS {
+                break;
+            }
         }
         match newest.len() {
             0 if heads.is_empty() => Err(refusal("it has no device", heads)),
@@ -42,14 +45,19 @@ impl Choice {
 /// How many devices are tried as a family.
 const MOST_MEMBERS: usize = 16;
 
+/// How many devices are listed.
+const MOST_CHOICES: usize = 500;
+
 /// That a file has several devices that are no family.
 pub(super) fn several(heads: &[Head]) -> Refusal {
     refusal("it has several devices", heads)
 }
 
 fn refusal(why: &str, heads: &[Head]) -> Refusal {
-    let choices = heads.iter().enumerate().map(|(place, head)| line(place, head));
-    Refusal { place: None, why: why.to_owned(), choices: choices.collect() }
+    let choices = heads.iter().enumerate().take(MOST_CHOICES).map(|(place, head)| line(place, head));
+    let rest = heads.len().saturating_sub(MOST_CHOICES);
+    let rest = (rest > 0).then(|| format!("and {rest} more"));
+    Refusal { place: None, why: why.to_owned(), choices: choices.chain(rest).collect() }
 }
 
 /// Whether two are versions of one device.

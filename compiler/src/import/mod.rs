@@ -61,8 +61,10 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
         choice.of(&heads)?.into_iter().filter_map(|place| elements.get(place).copied()).collect();
     let esi = read::file(&root);
     let mut report = Report::default();
-    let mut members: Vec<(String, String, Draft)> =
-        chosen.iter().map(|element| member(&esi, element, &mut report)).collect();
+    let members = chosen.iter().map(|element| member(&esi, element, &mut report));
+    let mut members = members
+        .collect::<Result<Vec<(String, String, Draft)>, _>>()
+        .map_err(|(at, why)| Refusal { place: Some(place(&text, at)), why, choices: Vec::new() })?;
     report.finish(&text);
     let alone = members.pop_if(|_| chosen.len() == 1).map(|(_, name, draft)| (name, draft));
     let family = || recognise::family(members).map(|draft| (draft.name(), draft));
@@ -73,12 +75,19 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
 }
 
 /// A device of a file as a description, with the word for it and its name.
-fn member(esi: &read::Esi, element: &Element<'_>, report: &mut Report) -> (String, String, Draft) {
+fn member(
+    esi: &read::Esi,
+    element: &Element<'_>,
+    report: &mut Report,
+) -> Result<(String, String, Draft), (read::At, String)> {
     let device = read::device(element);
+    if let Some(at) = device.excess {
+        return Err((at, "its dictionary has more values than devc holds".to_owned()));
+    }
     report.facts += element.facts();
     let draft = recognise::device(esi, &device, report);
     report.unread(element.unread());
-    (device.head.type_name, device.head.name, draft)
+    Ok((device.head.type_name, device.head.name, draft))
 }
 
 fn place(text: &str, at: read::At) -> (usize, usize) {

@@ -88,13 +88,15 @@ impl Report {
     /// Puts the notes in order and finds their lines.
     pub(super) fn finish(&mut self, text: &str) {
         self.notes.sort_by_key(|note| note.at);
-        let (mut line, mut start, mut done) = (1, 0, 0);
+        let (mut line, mut column, mut done) = (1, 1, 0);
         for note in &mut self.notes {
             let passed = text.get(done..note.at.0).unwrap_or_default();
-            line += passed.matches('\n').count();
-            start = passed.rfind('\n').map_or(start, |place| done + place + 1);
+            let (lines, rest) = passed
+                .rsplit_once('\n')
+                .map_or((0, None), |(before, rest)| (before.matches('\n').count() + 1, Some(rest)));
+            line += lines;
+            column = rest.map_or(column, |_| 1) + rest.unwrap_or(passed).chars().count();
             done = done.max(note.at.0);
-            let column = text.get(start..note.at.0).map_or(1, |before| before.chars().count() + 1);
             note.place = (line, column);
         }
     }

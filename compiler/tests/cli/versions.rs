@@ -82,7 +82,7 @@ fn revisions_of_git_are_compared() {
     git(&desk, &["init", "-q"]);
     git(&desk, &["add", "."]);
     git(&desk, &["commit", "-qm", "one"]);
-    desk.put("devices/drive/device.toml", &SOUND.replace("UINT16", "INT16"));
+    desk.put("devices/drive/device.toml", SOUND.replace("UINT16", "INT16"));
     let run = desk.devc(&["diff", "main..", "devices/drive"]);
     assert_eq!(run.code, Some(1), "{}", run.err);
     assert!(

@@ -126,3 +126,29 @@ fn depth_and_length_are_bounded() {
         DRIVE.replacen("<DataTypes>", &format!("<DataTypes>{types}"), 1).replace("<Type>DINT", "<Type>A");
     attempt(circle.as_bytes());
 }
+
+#[test]
+fn a_few_lines_cannot_ask_for_a_great_deal() {
+    let array = "<DataType><Name>A</Name><BaseType>USINT</BaseType><BitSize>2040</BitSize><ArrayInfo><LBound>1</LBound>\
+        <Elements>4000000000</Elements></ArrayInfo></DataType><DataType><Name>B</Name><BitSize>2056</BitSize><SubItem>\
+        <Name>All</Name><Type>A</Type></SubItem></DataType>";
+    let objects: String = (0x2000..0x9000)
+        .map(|index| format!("<Object><Index>{index}</Index><Type>B</Type></Object>"))
+        .collect();
+    let xml = DRIVE.replacen("<DataTypes>", &format!("<DataTypes>{array}"), 1).replacen(
+        "<Objects>",
+        &format!("<Objects>{objects}"),
+        1,
+    );
+    let refusal = import(xml.as_bytes(), "file.xml", &Choice::default()).expect_err("too much");
+    assert!(refusal.why.contains("more values"), "{}", refusal.why);
+    let line = DRIVE.replace('\n', " ").replacen(
+        "<Fmmu>",
+        &format!("{}<Fmmu>", "<Unknown a=\"1\"/>".repeat(50_000)),
+        1,
+    );
+    let start = Instant::now();
+    let report = import(line.as_bytes(), "file.xml", &Choice::default()).expect("an import").report;
+    assert!(report.notes.len() > 50_000 && report.notes.iter().all(|note| note.place.0 == 1));
+    assert!(start.elapsed() < Duration::from_secs(60));
+}

@@ -31,7 +31,8 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         channel
             .child_as("AddInfo", |text| number(text).filter(|info| add_info.map(|it| it.0) == Some(*info)));
     }
-    let dictionaries = profiles.iter().flat_map(|profile| profile.all("Dictionary"));
+    let dictionary = profiles.iter().find_map(|profile| profile.child("Dictionary"));
+    let (objects, excess) = dictionary.map(dictionary::objects).unwrap_or_default();
     Device {
         head: head(device),
         group: device.child("GroupType").map(|group| group.text().to_owned()),
@@ -45,7 +46,8 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         mailbox: device.child("Mailbox").map(mailbox),
         op_modes: device.child("Dc").into_iter().flat_map(|dc| dc.all("OpMode")).map(op_mode).collect(),
         eeprom: device.child("Eeprom").map(eeprom),
-        objects: dictionaries.flat_map(dictionary::objects).collect(),
+        objects,
+        excess,
     }
 }
 

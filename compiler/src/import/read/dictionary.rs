@@ -2,8 +2,9 @@
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use super::element::Element;
+use super::element::{At, Element};
 use super::esi::{Choice, Datum, Flags, Object, Shape, Value, Written};
 use super::number::{bytes, number};
 use super::words;
@@ -15,7 +16,7 @@ struct DataType<'e, 't> {
     base: Option<&'e str>,
     array: Option<(u32, u32)>,
     items: Vec<&'e Element<'t>>,
-    choices: Vec<Choice>,
+    choices: Rc<[Choice]>,
     used: Cell<bool>,
 }
 
@@ -24,7 +25,12 @@ type Types<'e, 't> = BTreeMap<&'e str, DataType<'e, 't>>;
 /// Types that are made of each other are followed so far.
 const MOST_NESTED: usize = 8;
 
-pub(super) fn objects(dictionary: &Element<'_>) -> Vec<Object> {
+/// How many values and meanings of values a dictionary may have: a few lines can ask for very many, by types that are
+/// arrays. devc holds no more entries of a description.
+const MOST_VALUES: usize = 500_000;
+
+/// The objects; and the first that was one too many, if there was one.
+pub(super) fn objects(dictionary: &Element<'_>) -> (Vec<Object>, Option<At>) {
     let mut types = Types::new();
     for element in dictionary.all("DataTypes").flat_map(|types| types.all("DataType")) {
         if let Some(name) = element.child("Name") {
@@ -32,11 +38,19 @@ pub(super) fn objects(dictionary: &Element<'_>) -> Vec<Object> {
             types.entry(name.text()).or_insert_with(|| data_type(element));
         }
     }
-    let objects = dictionary.all("Objects").flat_map(|objects| objects.all("Object"));
-    let objects = objects.filter_map(|element| object(element, &types)).collect();
+    let (mut objects, mut values) = (Vec::new(), 0_usize);
+    for element in dictionary.all("Objects").flat_map(|objects| objects.all("Object")) {
+        let Some(object) = object(element, &types) else { continue };
+        let weights = object.values.iter().map(|value| 1 + value.choices.len());
+        values = values.saturating_add(weights.sum());
+        if values > MOST_VALUES {
+            return (objects, Some(element.at()));
+        }
+        objects.push(object);
+    }
     // A type that no object has says nothing of the device.
     types.values().filter(|it| !it.used.get()).for_each(|it| it.element.is_idle());
-    objects
+    (objects, None)
 }
 
 fn data_type<'e, 't>(element: &'e Element<'t>) -> DataType<'e, 't> {
@@ -100,7 +114,7 @@ fn basic(element: &Element<'_>, type_name: &str, bits: Option<u32>, types: &Type
         declared.used.set(true);
         value.bits = value.bits.or(declared.bits);
         if value.choices.is_empty() {
-            value.choices.clone_from(&declared.choices);
+            value.choices = Rc::clone(&declared.choices);
         }
         match declared.base {
             Some(base) if declared.array.is_none() => value.type_name = base.to_owned(),

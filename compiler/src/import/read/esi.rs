@@ -1,5 +1,7 @@
 //! What an ESI file says, as plain structs: each thing with its place in the file.
 
+use std::rc::Rc;
+
 use super::element::At;
 
 /// A file.
@@ -35,6 +37,8 @@ pub(crate) struct Device {
     pub(crate) op_modes: Vec<OpMode>,
     pub(crate) eeprom: Option<Eeprom>,
     pub(crate) objects: Vec<Object>,
+    /// The first object that was one too many.
+    pub(crate) excess: Option<At>,
 }
 
 #[derive(Debug, Default)]
@@ -154,7 +158,7 @@ pub(crate) struct Value {
     /// The basic type at the bottom of its type.
     pub(crate) type_name: String,
     pub(crate) bits: Option<u32>,
-    pub(crate) choices: Vec<Choice>,
+    pub(crate) choices: Rc<[Choice]>,
     pub(crate) flags: Flags,
     pub(crate) default: Option<Datum>,
     pub(crate) min: Option<Datum>,

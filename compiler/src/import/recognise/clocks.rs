@@ -1,5 +1,7 @@
 //! Distributed clocks: the ways to keep time.
 
+use std::collections::BTreeSet;
+
 use super::super::read::{OpMode, Signal};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
@@ -15,8 +17,9 @@ pub(super) fn sync_modes(modes: &[OpMode], report: &mut Report) -> Vec<Block> {
         return Vec::new();
     }
     let mut blocks: Vec<Block> = Vec::new();
+    let mut names = BTreeSet::new();
     for mode in modes {
-        if blocks.iter().any(|block| block.key.as_ref() == Some(&mode.name)) {
+        if !names.insert(&mode.name) {
             report.lose(mode.at, 2, format!("OpMode `{}`", mode.name), "there is one of this name already");
             continue;
         }

@@ -1,5 +1,7 @@
 //! Devices of one file that are members of a family: what they share is said once.
 
+use std::collections::BTreeMap;
+
 use super::super::toml::{Keys, Toml, get, set};
 use super::draft::{Block, Draft};
 use crate::model::ids::Siblings;
@@ -32,9 +34,12 @@ pub(in super::super) fn family(members: Vec<(String, String, Draft)>) -> Option<
         .device
         .insert(0, Block::new("family", None, vec![("name".to_owned(), Toml::text(common_name(&names)))]));
     let mut ids = Siblings::default();
-    for (word, _, draft) in &members {
-        shared.members.extend(member(&ids.claim(word), draft, &shared));
-    }
+    let known = index(blocks(&shared));
+    let own: Vec<Block> = members
+        .iter()
+        .flat_map(|(word, _, draft)| member(&ids.claim(word), draft, &shared.without, &known))
+        .collect();
+    shared.members = own;
     Some(shared)
 }
 
@@ -44,6 +49,7 @@ fn blocks(draft: &Draft) -> impl Iterator<Item = &Block> {
 
 /// The tables that all have; of those that are alone in their section, the keys.
 fn common(first: &[Block], others: &[&[Block]]) -> Vec<Block> {
+    let others: Vec<Index<'_>> = others.iter().map(|other| index(*other)).collect();
     let shared = first.iter().filter_map(|block| {
         let same: Vec<&Block> = others.iter().filter_map(|other| twin(block, other)).collect();
         let keys = match block.key {
@@ -61,22 +67,27 @@ fn common(first: &[Block], others: &[&[Block]]) -> Vec<Block> {
     shared.collect()
 }
 
-fn twin<'b>(block: &Block, others: &'b [Block]) -> Option<&'b Block> {
-    others.iter().find(|other| other.section == block.section && other.key == block.key)
+/// Tables by section and key.
+type Index<'b> = BTreeMap<(&'b str, Option<&'b str>), &'b Block>;
+
+fn index<'b>(blocks: impl IntoIterator<Item = &'b Block>) -> Index<'b> {
+    blocks.into_iter().map(|block| ((block.section.as_str(), block.key.as_deref()), block)).collect()
+}
+
+fn twin<'b>(block: &Block, others: &Index<'b>) -> Option<&'b Block> {
+    others.get(&(block.section.as_str(), block.key.as_deref())).copied()
 }
 
 /// What a member has of its own.
-fn member(id: &str, draft: &Draft, shared: &Draft) -> Vec<Block> {
+fn member(id: &str, draft: &Draft, everywhere: &[String], shared: &Index<'_>) -> Vec<Block> {
     let mut own = Vec::new();
-    let without: Vec<&String> = draft.without.iter().filter(|path| !shared.without.contains(path)).collect();
+    let without: Vec<&String> = draft.without.iter().filter(|path| !everywhere.contains(path)).collect();
     if !without.is_empty() {
         let keys = vec![("without".to_owned(), Toml::texts(without))];
         own.push(Block::new("members", Some(id.to_owned()), keys));
     }
     for block in blocks(draft) {
-        let known = twin(block, &shared.device)
-            .or_else(|| twin(block, &shared.pdos))
-            .or_else(|| twin(block, &shared.objects));
+        let known = twin(block, shared);
         let mut keys = Keys::new();
         for (name, value) in &block.keys {
             if known.is_none_or(|known| get(&known.keys, name) != Some(value)) {

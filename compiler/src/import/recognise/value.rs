@@ -1,5 +1,7 @@
 //! A value of the dictionary in the keys of a description.
 
+use std::collections::BTreeSet;
+
 use super::super::read::{Choice, Datum, Value};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
@@ -126,10 +128,11 @@ fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut
 /// What values mean, each value once.
 fn meanings(value: &Value, at: &str, data_type: DataType, report: &mut Report) -> Keys {
     let mut meanings = Keys::new();
-    for Choice { value: number, name, comment } in &value.choices {
+    let mut known = BTreeSet::new();
+    for Choice { value: number, name, comment } in value.choices.iter() {
         let key = number.to_string();
         let fits = data_type.range().is_some_and(|(min, max)| (min..=max).contains(&i128::from(*number)));
-        if !fits || meanings.iter().any(|(known, _)| *known == key) {
+        if !fits || !known.insert(*number) {
             let why = if fits { "it has another meaning already" } else { "it does not fit its type" };
             report.lose(value.at, 2, format!("the meaning of {key} of {at}"), why);
             continue;
