@@ -54,9 +54,9 @@ fn only_the_difference_from_a_profile_is_written() {
 #[test]
 fn arrays_and_ranges_are_written_once() {
     let text = description(DRIVE);
-    let array =
-        "default = -1\nmin     = -100\nmax     = 100\nentries = { \"1..=2\" = {}, 3 = { default = 5 } }\n";
-    assert!(text.contains(array), "{text}");
+    let said_once = "type    = \"INT32\"\naccess  = \"rw\"\npdo     = \"rx\"\ndefault = -1\nmin     = -100\nmax     = 100\n";
+    assert!(text.contains(said_once), "{text}");
+    assert!(text.contains("\"1..=2\" = {}\n3       = { default = 5 }\n"), "{text}");
     assert!(text.contains(r#""1..=2" = { name = "Gain {}""#), "{text}");
 }
 
