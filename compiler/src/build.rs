@@ -20,6 +20,7 @@ use crate::diagnostic::render::{Style, text};
 use crate::diagnostic::{Diagnostic, Level};
 use crate::emit::rust::{Options, module, snake};
 use crate::source::{Disk, plain};
+use crate::text::characters::line;
 use crate::{Compilation, compile};
 
 /// Writes the Rust of a description to `file` in the folder that Cargo keeps for the build script's outputs, as a
@@ -70,12 +71,11 @@ fn messages(compilation: &Compilation, level: Level) -> impl Iterator<Item = Str
     wanted.map(|message| text(message, &compilation.sources, Style::Plain))
 }
 
-/// Cargo listens to what its scripts print.
+/// Cargo listens to what its scripts print, line by line: so a path is one line.
 #[expect(clippy::print_stdout, reason = "the protocol of build scripts")]
 fn tell_cargo(description: &Path, compilation: &Compilation) {
-    println!("cargo::rerun-if-changed={}", description.display());
-    for file in &compilation.files {
-        println!("cargo::rerun-if-changed={}", file.display());
+    for path in std::iter::once(description).chain(compilation.files.iter().map(PathBuf::as_path)) {
+        println!("cargo::rerun-if-changed={}", line(&path.to_string_lossy()));
     }
     for warning in messages(compilation, Level::Warning) {
         println!("cargo::warning={}", warning.lines().next().unwrap_or_default());

@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::lint::{self, Checked, Levels};
 use crate::model::Family;
 use crate::resolve::Resolved;
 use crate::source::{Loader, Sources, load};
+use crate::text::characters::hazard;
 use crate::{profiles, raw, resolve};
 
 /// What came of a description.
@@ -93,11 +94,12 @@ pub(crate) fn resolved(
     enter(Stage::Load);
     let document = load(loader, path, profiles::ALL, sources, diagnostics)?;
     files.clone_from(&document.files);
+    let id = id(loader, path);
+    diagnostics.extend(bad_name(&id));
     if diagnostics.has_errors() {
         return None;
     }
     enter(Stage::Decode);
-    let id = id(loader, path);
     let members = raw::read(&document, &id, sources, diagnostics);
     if diagnostics.has_errors() {
         return None;
@@ -117,4 +119,15 @@ fn id(loader: &dyn Loader, path: &Path) -> String {
         &path
     };
     folder.file_name().map_or_else(|| "device".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+/// That the folder's name has something in it that no key may have, if it has.
+fn bad_name(id: &str) -> Option<Diagnostic> {
+    let odd = id.chars().find(|c| matches!(c, '\n' | '\t') || hazard(*c).is_some())?;
+    let message = format!("the folder `{id}` has U+{:04X} in its name", u32::from(odd));
+    Some(
+        Diagnostic::bare(&faults::FORBIDDEN_CHARACTER, message)
+            .note("the outputs take their names from the folder")
+            .help("rename the folder"),
+    )
 }

@@ -1,6 +1,7 @@
 //! Tests of devc as a whole, and the yardsticks they measure with.
 
 pub mod esi_reader;
+pub mod hostile;
 pub mod manual;
 
 /// The code in the guide to drive code, as tests.

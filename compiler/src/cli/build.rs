@@ -13,6 +13,7 @@ use devc::model::Family;
 use devc::source::Disk;
 
 use super::levels::LevelArguments;
+use super::limit::Limit;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
 use super::report::{Report, counts, verdict};
@@ -51,6 +52,9 @@ pub(super) struct Build {
     #[command(flatten)]
     levels: LevelArguments,
 
+    #[command(flatten)]
+    limit: Limit,
+
     /// Print what each stage costs, on one core.
     #[arg(long)]
     timings: bool,
@@ -80,6 +84,7 @@ impl Build {
         let mut outcome = Outcome::Clean;
         let mut built = BTreeMap::new();
         for (path, made) in paths.iter().zip(&mut made) {
+            self.limit.cut(&mut made.compilation);
             report.diagnostics(&made.compilation);
             outcome = outcome.max(verdict(&made.compilation, self.levels.deny_warnings));
             let end = self.finish(path, made, &mut built, place.as_ref(), report);

@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use devc::diagnostic::{Diagnostics, render};
 use devc::source::{Disk, Sources};
+use devc::text::characters::line;
 use devc::{Compilation, rules};
 
 use super::baseline::Baseline;
 use super::fix::fix;
 use super::levels::LevelArguments;
+use super::limit::Limit;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
 use super::report::{Report, counts, number, verdict};
@@ -28,6 +30,9 @@ pub(super) struct Check {
 
     #[command(flatten)]
     levels: LevelArguments,
+
+    #[command(flatten)]
+    limit: Limit,
 
     /// Report only what is not in this file.
     #[arg(long, value_name = "FILE")]
@@ -64,7 +69,9 @@ impl Check {
         for path in paths.iter().filter(|_| self.fix) {
             match fix(&compile(path), report) {
                 Ok(0) => {}
-                Ok(made) => report.message(&format!("{}: made {}", path.display(), number(made, "edit"))),
+                Ok(made) => {
+                    report.message(&line(&format!("{}: made {}", path.display(), number(made, "edit"))));
+                }
                 Err(failure) => outcome = report.failure(&failure),
             }
         }
@@ -76,6 +83,12 @@ impl Check {
             }
             let mut baseline = Baseline::read(path)?;
             compilations.iter_mut().for_each(|(_, compilation)| baseline.forget(compilation));
+        }
+        for (_, compilation) in &mut compilations {
+            match self.format {
+                Format::Text | Format::Github => self.limit.cut(compilation),
+                Format::Json | Format::Sarif => self.limit.cut_for_programs(compilation),
+            }
         }
         self.say(&compilations, report);
         let verdicts = compilations.iter().map(|(_, c)| verdict(c, self.levels.deny_warnings));

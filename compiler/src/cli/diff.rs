@@ -10,6 +10,7 @@ use devc::model::Family;
 use devc::source::Disk;
 
 use super::git;
+use super::limit::Limit;
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
 
@@ -124,12 +125,18 @@ impl Diff {
 }
 
 fn compiled(path: &Path) -> Compilation {
-    devc::compile(&Disk, path)
+    cut(devc::compile(&Disk, path))
 }
 
 fn committed(revision: &str, path: &Path) -> Result<Compilation, Failure> {
     let (files, path) = git::description(revision, path)?;
-    Ok(devc::compile(&files, &path))
+    Ok(cut(devc::compile(&files, &path)))
+}
+
+/// A version with as many messages as people read.
+fn cut(mut compilation: Compilation) -> Compilation {
+    Limit::default().cut(&mut compilation);
+    compilation
 }
 
 /// The devices of a version; its messages, if it has errors.

@@ -5,6 +5,7 @@ use std::path::Path;
 use clap::Args;
 use devc::explain::{Unknown, explain, explain_description, explain_word};
 use devc::source::{Disk, MAIN_FILE};
+use devc::text::characters::harmless;
 
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
@@ -40,7 +41,7 @@ impl Explain {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let answer = self.of_description().unwrap_or_else(|| explain(&self.words));
         let answer = answer.map_err(|unknown| self.failure(&unknown))?;
-        report.line(&answer);
+        report.output(&format!("{}\n", harmless(&answer)));
         Ok(Outcome::Clean)
     }
 

@@ -13,6 +13,7 @@ mod fix;
 mod git;
 mod import;
 mod levels;
+mod limit;
 mod names;
 mod new;
 mod outcome;

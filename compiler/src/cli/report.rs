@@ -7,11 +7,9 @@ use clap::ColorChoice;
 use devc::Compilation;
 use devc::diagnostic::render::{Style, text};
 use devc::diagnostic::{Diagnostics, Level};
+use devc::text::characters::line;
 
 use super::outcome::{Failure, Outcome, reason};
-
-/// How many messages about one description are printed.
-const MOST_MESSAGES: usize = 200;
 
 /// Where results and messages go.
 pub(super) struct Report {
@@ -37,12 +35,12 @@ impl Report {
         Self { style, lost: RefCell::new(None) }
     }
 
-    /// Prints a result.
+    /// Prints a result as one line, whatever is in the names that it holds.
     pub(super) fn line(&self, text: &str) {
-        self.output(&format!("{text}\n"));
+        self.output(&format!("{}\n", line(text)));
     }
 
-    /// Prints a result that ends its own lines.
+    /// Prints a result of lines that end themselves, and that hold nothing which a terminal would obey.
     pub(super) fn output(&self, text: &str) {
         let mut lost = self.lost.borrow_mut();
         if lost.is_none() {
@@ -67,15 +65,11 @@ impl Report {
         let _ = writeln!(io::stderr().lock(), "{text}");
     }
 
-    /// Prints the messages about a description, as many as a person might read.
+    /// Prints the messages about a description.
     pub(super) fn diagnostics(&self, compilation: &Compilation) {
-        let mut shown = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow);
-        for diagnostic in shown.by_ref().take(MOST_MESSAGES) {
+        let shown = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow);
+        for diagnostic in shown {
             self.message(&format!("{}\n", text(diagnostic, &compilation.sources, self.style)));
-        }
-        match shown.count() {
-            0 => {}
-            rest => self.message(&format!("... and {}, not shown\n", number(rest, "more message"))),
         }
     }
 
@@ -85,9 +79,9 @@ impl Report {
             Style::Colour => ("\u{1b}[1m\u{1b}[91m", "\u{1b}[1m\u{1b}[94m", "\u{1b}[1m", "\u{1b}[0m"),
             Style::Plain => ("", "", "", ""),
         };
-        let mut text = format!("{red}error{reset}{bold}: {what}{reset}");
+        let mut text = format!("{red}error{reset}{bold}: {}{reset}", line(what));
         if let Some(help) = help {
-            text += &format!("\n  {blue}= {reset}{bold}help{reset}: {help}");
+            text += &format!("\n  {blue}= {reset}{bold}help{reset}: {}", line(help));
         }
         self.message(&text);
     }

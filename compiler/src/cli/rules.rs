@@ -14,7 +14,7 @@ impl Rules {
         let rules = devc::rules::all();
         let width = rules.iter().map(|rule| rule.name.len()).max().unwrap_or(0);
         let lines = rules.iter().map(|rule| format!("{:width$}  {}", rule.name, rule.summary));
-        report.line(&lines.collect::<Vec<_>>().join("\n"));
+        report.output(&(lines.collect::<Vec<_>>().join("\n") + "\n"));
         Ok(Outcome::Clean)
     }
 }

@@ -3,6 +3,8 @@
 use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
 
+use devc::text::characters::line;
+
 use super::report::Report;
 
 /// How the names of files begin that are being written; two numbers follow. What else has such a name was left by a run
@@ -53,7 +55,7 @@ fn lock(folder: &Path, report: &Report) -> Option<File> {
         Ok(()) => Some(file),
         Err(TryLockError::Error(_)) => None,
         Err(TryLockError::WouldBlock) => {
-            report.message(&format!("waiting for another devc that writes to `{}`", folder.display()));
+            report.message(&line(&format!("waiting for another devc that writes to `{}`", folder.display())));
             file.lock().is_ok().then_some(file)
         }
     }

@@ -4,9 +4,11 @@
 //! turns them into text.
 
 pub mod faults;
+mod list;
 pub mod render;
 mod rule;
 
+pub use list::{Diagnostics, KEPT};
 #[allow(unused_imports)]
 pub(crate) use rule::rule;
 pub use rule::{Group, Level, Rule};
@@ -28,6 +30,8 @@ pub struct Diagnostic {
     pub notes: Vec<String>,
     /// What to do about it.
     pub helps: Vec<Help>,
+    /// How many findings it stands for: itself, or all that were cut in its place.
+    pub count: usize,
 }
 
 /// A place with what there is to say about it.
@@ -59,6 +63,21 @@ pub struct Edit {
     pub text: String,
 }
 
+/// How many bytes of a text are worth reading: a message names what it is about, and that can be long.
+const LONGEST: usize = 2_000;
+
+/// The beginning of a text, or all of it if it is not too long.
+fn shortened(text: impl Into<String>) -> String {
+    let mut text = text.into();
+    if text.len() > LONGEST {
+        let end = text.char_indices().map(|(at, _)| at).take_while(|at| *at <= LONGEST).last();
+        text.truncate(end.unwrap_or_default());
+        text.push('…');
+        text.shrink_to_fit();
+    }
+    text
+}
+
 impl Diagnostic {
     /// A message at a place, at the rule's default level.
     pub fn new(
@@ -73,27 +92,27 @@ impl Diagnostic {
     /// A message that has no place, because there is no text to point at.
     pub fn bare(rule: &'static Rule, message: impl Into<String>) -> Self {
         let (labels, notes, helps) = (Vec::new(), Vec::new(), Vec::new());
-        Self { rule, level: rule.level, message: message.into(), labels, notes, helps }
+        Self { rule, level: rule.level, message: shortened(message), labels, notes, helps, count: 1 }
     }
 
     /// Points at another place.
     #[must_use]
     pub fn label(mut self, at: Location, text: impl Into<String>) -> Self {
-        self.labels.push(Label { at, text: text.into() });
+        self.labels.push(Label { at, text: shortened(text) });
         self
     }
 
     /// Says why.
     #[must_use]
     pub fn note(mut self, text: impl Into<String>) -> Self {
-        self.notes.push(text.into());
+        self.notes.push(shortened(text));
         self
     }
 
     /// Says what to do.
     #[must_use]
     pub fn help(mut self, text: impl Into<String>) -> Self {
-        self.helps.push(Help { text: text.into(), edits: Vec::new(), sure: false });
+        self.helps.push(Help { text: shortened(text), edits: Vec::new(), sure: false });
         self
     }
 
@@ -101,7 +120,7 @@ impl Diagnostic {
     #[must_use]
     pub fn suggest(mut self, text: impl Into<String>, at: Location, replacement: impl Into<String>) -> Self {
         let edits = vec![Edit { at, text: replacement.into() }];
-        self.helps.push(Help { text: text.into(), edits, sure: false });
+        self.helps.push(Help { text: shortened(text), edits, sure: false });
         self
     }
 
@@ -118,60 +137,5 @@ impl Diagnostic {
     /// Where the fault is.
     pub fn at(&self) -> Option<Location> {
         self.labels.first().map(|label| label.at)
-    }
-}
-
-/// The messages of a run.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Diagnostics {
-    list: Vec<Diagnostic>,
-}
-
-impl Diagnostics {
-    /// Keeps a message.
-    pub fn push(&mut self, diagnostic: Diagnostic) {
-        self.list.push(diagnostic);
-    }
-
-    /// Whether something forbids the next stage.
-    pub fn has_errors(&self) -> bool {
-        self.list.iter().any(|diagnostic| diagnostic.level == Level::Error)
-    }
-
-    /// How many messages of a level there are.
-    pub fn count(&self, level: Level) -> usize {
-        self.list.iter().filter(|diagnostic| diagnostic.level == level).count()
-    }
-
-    /// The messages in the order in which they were found.
-    pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.list.iter()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.list.is_empty()
-    }
-
-    /// Sorts by place, then by rule, and drops what is said twice, so that the order in which rules ran
-    /// does not show.
-    pub fn finish(&mut self) {
-        self.list.sort_by(|a, b| (a.at(), a.rule.name, &a.message).cmp(&(b.at(), b.rule.name, &b.message)));
-        self.list.dedup();
-    }
-}
-
-impl IntoIterator for Diagnostics {
-    type Item = Diagnostic;
-    type IntoIter = std::vec::IntoIter<Diagnostic>;
-
-    fn into_iter(self) -> Self::IntoIter {
-        self.list.into_iter()
-    }
-}
-
-impl Extend<Diagnostic> for Diagnostics {
-    fn extend<T: IntoIterator<Item = Diagnostic>>(&mut self, iter: T) {
-        self.list.extend(iter);
     }
 }

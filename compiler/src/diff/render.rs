@@ -10,30 +10,26 @@ pub use text::text;
 
 use super::change::Change;
 use super::changes::Comparison;
-use crate::diagnostic::render::position::Positions;
+use crate::diagnostic::render::position;
 use crate::source::{Location, Sources};
 
 /// The places of both versions.
 struct Places<'s> {
-    old: Positions<'s>,
-    new: Positions<'s>,
+    old: &'s Sources,
+    new: &'s Sources,
 }
 
-impl<'s> Places<'s> {
-    fn new(old: &'s Sources, new: &'s Sources) -> Self {
-        Self { old: Positions::new(old), new: Positions::new(new) }
-    }
-
+impl Places<'_> {
     /// Where the old version says what changes, and where the new one does: `devices/c887/device.toml:12:3`.
     fn of(&self, change: &Change) -> (Option<String>, Option<String>) {
-        (written(&self.old, change.old_at), written(&self.new, change.new_at))
+        (written(self.old, change.old_at), written(self.new, change.new_at))
     }
 }
 
-fn written(positions: &Positions<'_>, at: Option<Location>) -> Option<String> {
+fn written(sources: &Sources, at: Option<Location>) -> Option<String> {
     let at = at?;
-    let file = positions.file(at.file)?;
-    let (start, _) = positions.range(at);
+    let file = sources.get(at.file)?;
+    let (start, _) = position::range(at, sources);
     Some(format!("{}:{}:{}", file.path, start.line, start.column))
 }
 

@@ -1,4 +1,6 @@
-//! Backslashes.
+//! What texts need before they stand in an output: backslashes, and hyphens apart.
+//!
+//! What no output can hold at all, [`text::characters`](crate::text::characters) says.
 
 /// Writes a text with a backslash before each of its bytes, given with their places, that is `marked`; only bytes of
 /// ASCII may be.
@@ -12,4 +14,17 @@ pub(super) fn escape(text: &str, marked: impl Fn(usize, u8) -> bool, out: &mut S
         }
     }
     out.push_str(text.get(written..).unwrap_or_default());
+}
+
+/// A text as a comment of XML or HTML can hold it: two hyphens would end it, so a space parts them.
+#[cfg(any(feature = "esi", feature = "markdown"))]
+pub(super) fn comment(text: &str) -> String {
+    let mut parted = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c == '-' && parted.ends_with('-') {
+            parted.push(' ');
+        }
+        parted.push(c);
+    }
+    parted
 }

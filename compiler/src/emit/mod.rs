@@ -3,6 +3,8 @@
 //! An emitter gets a checked family and makes files of it. It cannot fail: what an output cannot express
 //! is a rule, and was reported before.
 
+#[cfg(all(test, feature = "cli"))]
+mod dangerous;
 mod escape;
 #[cfg(feature = "esi")]
 pub mod esi;

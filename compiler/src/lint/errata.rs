@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::report::Finding;
 use super::rules::{idle_erratum, unknown_rule, unmended_erratum};
 use crate::diagnostic::Diagnostic;
-use crate::model::Device;
+use crate::model::{Device, Erratum, Place};
 use crate::source::Location;
 
 /// The errata of a family, each known by its place, since its members share them.
@@ -18,17 +18,39 @@ pub(super) struct Errata {
 impl Errata {
     /// Takes out the findings about a member that its errata answer.
     pub(super) fn apply(&mut self, device: &Device, findings: &mut Vec<Finding>) {
+        // of two with the same answer, the first gives it
+        let mut answers: BTreeMap<(&str, &Place), Location> = BTreeMap::new();
         for erratum in &device.errata {
-            let before = findings.len();
-            findings
-                .retain(|finding| finding.diagnostic.rule.name != erratum.rule || finding.at != erratum.at);
-            let at = erratum.origin.header();
-            if findings.len() < before {
-                self.answering.insert(at);
-            } else {
-                let unknown = unknown_rule::judge(&erratum.rule, erratum.origin.value("rule"));
-                self.idle.insert(at, unknown.unwrap_or_else(|| idle_erratum::judge(erratum, findings)));
+            answers.entry((&erratum.rule, &erratum.at)).or_insert(erratum.origin.header());
+        }
+        let mut answering = BTreeSet::new();
+        findings.retain(|finding| match answers.get(&(finding.diagnostic.rule.name, &finding.at)) {
+            Some(at) => {
+                answering.insert(*at);
+                false
             }
+            None => true,
+        });
+        self.note_idle(device, findings, &answering);
+        self.answering.append(&mut answering);
+    }
+
+    /// Makes the messages about the errata that answer nothing about a member.
+    fn note_idle(&mut self, device: &Device, findings: &[Finding], answering: &BTreeSet<Location>) {
+        let is_idle = |erratum: &&Erratum| !answering.contains(&erratum.origin.header());
+        let mut idle = device.errata.iter().filter(is_idle).peekable();
+        if idle.peek().is_none() {
+            return;
+        }
+        let mut left: BTreeMap<&str, Vec<&Place>> = BTreeMap::new();
+        for finding in findings {
+            left.entry(finding.diagnostic.rule.name).or_default().push(&finding.at);
+        }
+        for erratum in idle {
+            let unknown = unknown_rule::judge(&erratum.rule, erratum.origin.value("rule"));
+            let places = left.get(&*erratum.rule).map_or(&[][..], Vec::as_slice);
+            let message = unknown.unwrap_or_else(|| idle_erratum::judge(erratum, places));
+            self.idle.insert(erratum.origin.header(), message);
         }
     }
 
@@ -42,13 +64,14 @@ impl Errata {
 /// What is to be said of a member as it holds: faults that it did not have as written, and those that an erratum
 /// answers by something else but leaves as they are.
 pub(super) fn judge(device: &Device, printed: &[Finding], held: Vec<Finding>) -> Vec<Diagnostic> {
-    let key = |finding: &Finding| (finding.diagnostic.rule.name, finding.at.clone());
+    fn key(finding: &Finding) -> (&str, &Place) {
+        (finding.diagnostic.rule.name, &finding.at)
+    }
     let known: BTreeSet<_> = printed.iter().map(key).collect();
     let (still, new): (Vec<_>, Vec<_>) = held.into_iter().partition(|finding| known.contains(&key(finding)));
     let answered = device.errata.iter().filter(|erratum| erratum.holds.is_some());
-    let unmended = answered.filter(|erratum| {
-        still.iter().any(|finding| finding.diagnostic.rule.name == erratum.rule && finding.at == erratum.at)
-    });
+    let still: BTreeSet<_> = still.iter().map(key).collect();
+    let unmended = answered.filter(|erratum| still.contains(&(&*erratum.rule, &erratum.at)));
     let unmended = unmended.map(unmended_erratum::judge).collect::<Vec<_>>();
     new.into_iter().map(|finding| finding.diagnostic).chain(unmended).collect()
 }

@@ -57,9 +57,11 @@ fn run<'l>(
 ) {
     let mut errata = Errata::default();
     let mut messages = Vec::new();
+    let (mut of_printed, mut of_held) = (Report::new(sources), Report::new(sources));
     for (i, device) in resolved.printed.members.iter().enumerate() {
-        let mut printed = findings(rules.clone(), &resolved.printed, i, sources);
-        let held = resolved.held.as_ref().map(|held| findings(rules.clone(), held, i, sources));
+        let mut printed = findings(rules.clone(), device, &mut of_printed);
+        let held = resolved.held.as_ref().and_then(|held| held.members.get(i));
+        let held = held.map(|device| findings(rules.clone(), device, &mut of_held));
         messages.extend(held.into_iter().flat_map(|held| errata::judge(device, &printed, held)));
         errata.apply(device, &mut printed);
         messages.extend(printed.into_iter().map(|finding| finding.diagnostic));
@@ -68,17 +70,12 @@ fn run<'l>(
     diagnostics.extend(messages.into_iter().filter_map(|message| levels.judge(message)));
 }
 
-/// What rules find at a member of a family.
+/// What rules find at a member of a family, behind those that were reported before.
 fn findings<'l>(
     rules: impl IntoIterator<Item = &'l Lint>,
-    family: &Family,
-    member: usize,
-    sources: &Sources,
+    device: &Device,
+    report: &mut Report,
 ) -> Vec<Finding> {
-    let (earlier, device) = (family.members.get(..member), family.members.get(member));
-    let mut report = Report::new(sources, earlier.unwrap_or_default());
-    for lint in rules {
-        device.iter().for_each(|device| (lint.check)(device, &mut report));
-    }
-    report.finish()
+    rules.into_iter().for_each(|lint| (lint.check)(device, report));
+    report.finish(device)
 }

@@ -19,16 +19,15 @@ pub(crate) struct Report {
     findings: Vec<Finding>,
     /// The files that are profiles.
     profiles: Vec<FileId>,
-    /// The members of the family before the device.
+    /// The members of the family before the one that is looked at.
     earlier: Vec<Sibling>,
 }
 
 impl Report {
-    /// An empty report on a device that was read from these files and comes after these in its family.
-    pub(super) fn new(sources: &Sources, earlier: &[Device]) -> Self {
+    /// An empty report on the first device of those that were read from these files.
+    pub(super) fn new(sources: &Sources) -> Self {
         let profiles = sources.iter().filter(|(_, file)| file.embedded).map(|(id, _)| id).collect();
-        let earlier = earlier.iter().map(Sibling::new).collect();
-        Self { findings: Vec::new(), profiles, earlier }
+        Self { findings: Vec::new(), profiles, earlier: Vec::new() }
     }
 
     /// Reports a fault at something.
@@ -47,12 +46,13 @@ impl Report {
         origin.under(path).filter(known).or_else(|| origin.node(path).filter(known))
     }
 
-    /// The findings, each place once: what is written once for all axes has its fault once, at the first
-    /// of them.
-    pub(super) fn finish(mut self) -> Vec<Finding> {
+    /// The findings about a device, each place once: what is written once for all axes has its fault once, at the
+    /// first of them. What comes is about the next device.
+    pub(super) fn finish(&mut self, device: &Device) -> Vec<Finding> {
+        self.earlier.push(Sibling::new(device));
         let key = |finding: &Finding| (finding.diagnostic.rule.name, finding.diagnostic.at());
         self.findings.sort_by(|a, b| (key(a), &a.at).cmp(&(key(b), &b.at)));
         self.findings.dedup_by(|later, first| key(later) == key(first) && later.at != first.at);
-        self.findings
+        std::mem::take(&mut self.findings)
     }
 }

@@ -1,6 +1,5 @@
 //! The texts that travel to other tools.
 
-use super::lookup;
 use crate::model::{Device, Place, Section};
 use crate::source::Location;
 
@@ -29,18 +28,4 @@ pub(super) fn names(device: &Device) -> impl Iterator<Item = Text<'_>> {
     let modes = device.sync_modes.iter();
     let modes = modes.map(move |it| text(Section::SyncModes.at(&it.id), it.origin.value("name"), &it.name));
     head.chain(pdos).chain(modes)
-}
-
-/// The names in the dictionary.
-pub(super) fn dictionary(device: &Device) -> impl Iterator<Item = Text<'_>> {
-    lookup::objects(device).flat_map(|object| {
-        let own = Text { at: object.index.into(), place: object.origin.value("name"), text: &object.name };
-        let several = object.entries.iter().filter(|_| object.entries.len() > 1);
-        let entries = several.map(|entry| Text {
-            at: entry.address.into(),
-            place: entry.origin.value("name"),
-            text: &entry.name,
-        });
-        std::iter::once(own).chain(entries)
-    })
 }

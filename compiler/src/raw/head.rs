@@ -22,7 +22,8 @@ raw! {
         pub type_name: Option<String>,
         /// The device profile it follows, 402 for drives.
         pub profile: Option<u32>,
-        /// One letter for each port as ESI wants it: `Y` for MII (RJ45), `K` for LVDS (E-Bus).
+        /// One letter for each of up to four ports as ESI wants it: `Y` for MII (RJ45), `K` for LVDS (E-Bus), `H` for MII
+        /// with fast hot connect, a space for none.
         pub physics: Option<String>,
     }
 }

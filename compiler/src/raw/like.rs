@@ -58,17 +58,20 @@ pub(super) fn find(own: &Table, section: &Table, diagnostics: &mut Diagnostics) 
             let label = "name the one that stands for itself";
             Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, named.at, label)
         }
-        None => missing(name, named, section),
+        None => missing(name, named, section, diagnostics.has_room(&faults::UNKNOWN_REFERENCE)),
     };
     diagnostics.push(fault);
     None
 }
 
-fn missing(name: &str, named: &Node, section: &Table) -> Diagnostic {
-    let known: Vec<&str> = section.members.iter().map(|member| &*member.key.name).collect();
+fn missing(name: &str, named: &Node, section: &Table, explained: bool) -> Diagnostic {
     let message = format!("there is no `{name}` to be like");
     let fault =
         Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, named.at, "no such table in the section");
+    if !explained {
+        return fault;
+    }
+    let known: Vec<&str> = section.members.iter().map(|member| &*member.key.name).collect();
     match near(name, known.iter().copied()) {
         Some(near) => fault.fix(format!("there is `{near}`"), named.at, format!("\"{near}\"")),
         None => fault.note(format!("there are {}", list(&known))),

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::compose::{self, wrong_type};
+use super::extent::Room;
 use super::read::Sections;
 use super::{RawDevice, errata, like};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
@@ -22,19 +23,22 @@ pub struct Reading {
 /// Every bad table is reported, not only the first.
 pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut Diagnostics) -> Vec<Reading> {
     let trees = members(document, id, diagnostics);
-    let mut nowhere = Vec::new();
+    let (mut nowhere, mut room) = (Vec::new(), Room::new());
     let devices: Vec<Reading> = trees
         .into_iter()
-        .map(|(id, tree, removed)| {
+        .map_while(|(id, tree, removed)| {
             let tree = compose::over_profile(&tree, &document.profile);
             let tree = compose::strip(tree, &removed, diagnostics);
+            if !room.take_device(&tree, diagnostics) {
+                return None;
+            }
             let printed = Sections::new(&tree, sources, diagnostics).device(id.clone());
             let held = match diagnostics.has_errors() {
                 true => None,
                 false => errata::corrected(&tree, &printed, &mut nowhere, diagnostics),
             };
             let corrected = held.map(|tree| Sections::new(&tree, sources, diagnostics).device(id));
-            Reading { printed, corrected }
+            Some(Reading { printed, corrected })
         })
         .collect();
     let everywhere = |fault: &&Diagnostic| {
@@ -57,7 +61,11 @@ fn members(document: &Document, id: &str, diagnostics: &mut Diagnostics) -> Vec<
     let Some(members) = document.root.get("members") else {
         return vec![(id.to_owned(), shared, removed)];
     };
+    let at = members.key.at;
     let Some(members) = table_of(&members.node, diagnostics) else { return Vec::new() };
+    if !Room::new().take(&shared, members.members.len(), at, diagnostics) {
+        return Vec::new();
+    }
     let trees = members.members.iter().filter_map(|member| {
         let own = table_of(&member.node, diagnostics)?;
         diagnostics.extend(own.get("lints").map(|lints| shared_only(&lints.key)));

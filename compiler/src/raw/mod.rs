@@ -11,6 +11,7 @@ mod coordinates;
 pub(crate) mod decode;
 mod device;
 mod errata;
+mod extent;
 mod fact;
 mod front;
 mod head;

@@ -7,10 +7,11 @@ use serde::de::DeserializeOwned;
 use super::assumed::assumptions;
 use super::compose::wrong_type;
 use super::decode::{Reader, unknown_key};
+use super::extent::judge_section;
 use super::{RawFacts, RawSource};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::model::{Assumption, Index, Place, Section, Source, Table, Written};
-use crate::source::{Location, Member, Node, Origin, Sources, Value, keys};
+use crate::source::{Location, Member, Members, Node, Origin, Sources, Value, keys};
 
 /// A table on its way to a struct.
 pub(super) struct Entity<'t> {
@@ -166,9 +167,12 @@ impl<'t> Sections<'t> {
     }
 
     /// The members of a section that is a table.
-    pub(super) fn members(&mut self, name: &'static str) -> Vec<Member> {
-        let Some(section) = self.take(name) else { return Vec::new() };
-        self.table(&section.node).map_or_else(Vec::new, |table| table.members.clone())
+    pub(super) fn members(&mut self, name: &'static str) -> Members {
+        let table = self.take(name).and_then(|section| self.table(&section.node));
+        table.map_or_else(Members::default, |table| {
+            judge_section(name, &table, self.diagnostics);
+            table.members.clone()
+        })
     }
 
     fn take(&mut self, name: &'static str) -> Option<Member> {

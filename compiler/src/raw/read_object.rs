@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::decode::Reader;
 use super::read::{Entity, Read, Sections};
 use super::{RawEntries, RawEntry, RawFacts, RawObject};
-use crate::source::{Location, Member, Node, Origin, Table, Value, keys};
+use crate::source::{Location, Member, Members, Node, Origin, Table, Value, keys};
 
 /// The keys that an object's table can have for all of its entries.
 pub(crate) const SHARED: &[&str] = &[
@@ -77,7 +77,7 @@ fn entries(member: &Member, object: &Table, sections: &mut Sections<'_>) -> Opti
 
 /// What the object's table says for all entries, as an entry of which nothing else is said.
 fn shared(object: &Table, header: Location, sections: &mut Sections<'_>) -> Option<RawEntries> {
-    let table = Arc::new(with_shared(&Table { at: object.at, members: Vec::new() }, object));
+    let table = Arc::new(with_shared(&Table { at: object.at, members: Members::default() }, object));
     let mut reader = Reader::new(&table, sections.diagnostics);
     let value = reader.part()?;
     Some(RawEntries {

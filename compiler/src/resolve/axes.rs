@@ -1,5 +1,7 @@
 //! Axes and the ranges of the dictionary that they repeat.
 
+use std::collections::BTreeMap;
+
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Axis, Index, Shift};
@@ -55,13 +57,14 @@ fn report_names(context: &mut Context<'_>, raw: &RawAxes) {
         let first = at(context.axes.len());
         return context.fault(&faults::INVALID_VALUE, message, first, "the first without a number");
     }
-    for i in 0..context.axes.len() {
-        let name = |i: usize| context.axes.get(i).map(|axis| axis.name.as_str()).unwrap_or_default();
-        if let Some(other) = (0..i).find(|other| name(*other) == name(i)) {
-            let message = format!("two axes are called `{}`", name(i));
+    let mut first: BTreeMap<&str, usize> = BTreeMap::new();
+    for (i, name) in raw.names.iter().enumerate() {
+        if let Some(other) = first.get(name.as_str()) {
+            let message = format!("two axes are called `{name}`");
             let fault = Diagnostic::new(&faults::INVALID_VALUE, message, at(i), "this axis");
-            context.diagnostics.push(fault.label(at(other), "and this one"));
+            context.diagnostics.push(fault.label(at(*other), "and this one"));
         }
+        first.entry(name).or_insert(i);
     }
 }
 

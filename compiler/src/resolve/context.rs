@@ -41,8 +41,10 @@ impl Context<'_> {
     /// Binds a reference to an object or an entry, or reports that there is none.
     pub(super) fn address(&mut self, text: &str, at: Location) -> Option<Address> {
         match self.names.find(text) {
-            Ok(address) => Some(address),
-            Err(near) => {
+            Some(address) => Some(address),
+            None => {
+                let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
+                let near = has_room.then(|| self.names.near(text)).flatten();
                 let message = format!("there is no object `{text}`");
                 let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
                 self.diagnostics.push(match (near, names::index(text.split(':').next().unwrap_or(text))) {
@@ -90,7 +92,8 @@ impl Context<'_> {
         }
         let message = format!("there is no {what} `{text}`");
         let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
-        fault = match near(text, known.iter().map(String::as_str)) {
+        let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
+        fault = match has_room.then(|| near(text, known.iter().map(String::as_str))).flatten() {
             Some(near) => fault.fix(format!("there is `{near}`"), at, format!("\"{near}\"")),
             None if known.is_empty() => fault.note(format!("the description has no {what}")),
             None => {
@@ -116,8 +119,8 @@ impl Context<'_> {
 
     /// The address on an axis of what `address` is on the first.
     pub(super) fn on_axis(&self, address: Address, axis: Option<u8>) -> Address {
-        let copy = self.copies(address.index).into_iter().find(|(number, _)| *number == axis);
-        let by = copy.map_or(0, |(_, by)| by);
+        let shift = self.shifts.iter().find(|shift| (shift.first..=shift.last).contains(&address.index));
+        let by = shift.zip(axis).map_or(0, |(shift, axis)| shift.by.wrapping_mul(axis.into()));
         Address { index: Index(address.index.0.wrapping_add(by)), ..address }
     }
 }

@@ -36,8 +36,8 @@ fn per_axis(context: &mut Context<'_>, letter: &str, raw: &RawGroup, origin: &Or
         match (axis, range) {
             (Some(axis), Some((first, last))) => groups.push(AxisGroup { axis, first, last }),
             (None, _) => {
-                let known: Vec<&str> = context.axes.iter().map(|axis| axis.name.as_str()).collect();
-                let expected = format!("an axis of {}", known.join(", "));
+                let known: Vec<String> = context.axes.iter().map(|axis| axis.name.clone()).collect();
+                let expected = format!("an axis of {}", keys::some(&known));
                 context.invalid(name, &expected, origin.value(&path));
             }
             _ => {}

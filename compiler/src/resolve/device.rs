@@ -4,7 +4,9 @@ use super::context::Context;
 use super::derived::{self, Basis};
 use super::kept::{self, sorted};
 use super::names::Names;
-use super::{axes, configurations, coordinates, front, modes, objects, pdos, sync_managers, units, words};
+use super::{
+    axes, closed, configurations, coordinates, front, modes, objects, pdos, sync_managers, units, words,
+};
 use crate::diagnostic::Diagnostics;
 use crate::model::{
     Arrangement, Device, Direction, Eeprom, Object, Parameter, Pdo, Repeated, Repetition, Tables, repetitions,
@@ -15,6 +17,7 @@ use crate::raw::{RawAxes, RawDevice};
 /// was reported before.
 pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Option<Device> {
     let context = &mut context(&mut raw, diagnostics);
+    closed::judge(context, &raw);
     let (head, identity) = (raw.head?, raw.identity?);
     let described = objects::objects(context, raw.objects);
     let mut pdos = pdos::pdos(context, &raw.rx_pdos, Direction::Rx, &described.objects);

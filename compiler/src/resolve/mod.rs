@@ -4,12 +4,14 @@
 //! cannot hold is reported here.
 
 mod axes;
+mod closed;
 mod configurations;
 mod context;
 mod coordinates;
 mod derived;
 mod device;
 mod entries;
+mod extent;
 mod front;
 mod kept;
 mod modes;
@@ -41,7 +43,11 @@ pub(crate) struct Resolved {
 pub(crate) fn resolve(id: &str, members: Vec<Reading>, diagnostics: &mut Diagnostics) -> Option<Resolved> {
     let mut shared = None;
     let (mut printed, mut held, mut differs) = (Vec::new(), Vec::new(), false);
+    let mut room = extent::Room::new();
     for Reading { printed: raw, corrected } in members {
+        if !room.take(&raw, diagnostics) {
+            return None;
+        }
         shared = shared.or_else(|| raw.family.clone());
         let device = device::device(raw, diagnostics);
         if diagnostics.has_errors() {

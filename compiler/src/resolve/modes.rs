@@ -60,7 +60,7 @@ fn mode(context: &mut Context<'_>, raw: RawMode) -> Option<Mode> {
 /// The entries a mode uses; a profile names all that it could use, of which a device has some.
 fn objects(context: &mut Context<'_>, raw: &[String], origin: &Origin) -> Vec<Address> {
     if origin.layer("objects") == Some(Layer::Profile) {
-        return raw.iter().filter_map(|text| context.names.find(text).ok()).collect();
+        return raw.iter().filter_map(|text| context.names.find(text)).collect();
     }
     context.addresses(raw, origin, "objects")
 }

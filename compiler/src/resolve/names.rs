@@ -51,11 +51,10 @@ impl Names {
         self.coordinate(text).filter(|address| self.known.binary_search(&address.index).is_ok())
     }
 
-    /// What `"controlword"`, `"0x6040"`, `"0x5010:03"` or `"software-position-limit:1"` refers to; the near
-    /// word if there is none.
-    pub(super) fn find(&self, text: &str) -> Result<Address, Option<String>> {
+    /// What `"controlword"`, `"0x6040"`, `"0x5010:03"` or `"software-position-limit:1"` refers to.
+    pub(super) fn find(&self, text: &str) -> Option<Address> {
         if let Some(address) = self.by_parameter.get(text).copied().or_else(|| self.lying(text)) {
-            return Ok(address);
+            return Some(address);
         }
         let (object, subindex) = text.split_once(':').map_or((text, "0"), |(object, sub)| (object, sub));
         let index = match index(object) {
@@ -63,10 +62,13 @@ impl Names {
             None => self.by_id.get(object).copied(),
         };
         let subindex = self::subindex(subindex);
-        index
-            .zip(subindex)
-            .map(|(index, subindex)| Address { index, subindex })
-            .ok_or_else(|| near(object, self.by_id.keys().map(String::as_str)).map(str::to_owned))
+        index.zip(subindex).map(|(index, subindex)| Address { index, subindex })
+    }
+
+    /// The word for an object that is most like one that refers to nothing.
+    pub(super) fn near(&self, text: &str) -> Option<String> {
+        let object = text.split(':').next().unwrap_or(text);
+        near(object, self.by_id.keys().map(String::as_str)).map(str::to_owned)
     }
 }
 

@@ -3,16 +3,22 @@
 /// The text for one subindex: `{}` in it is the subindex, `{+8}` and `{-1}` are the subindex with a number added or
 /// taken away. None if a brace holds anything else, or nothing closes it.
 pub(super) fn numbered(text: &str, subindex: u8) -> Option<String> {
-    let (before, rest) = text.split_once('{')?;
-    let (offset, after) = rest.split_once('}')?;
-    let offset = match offset {
-        "" => 0,
-        signed if signed.starts_with(['+', '-']) => signed.parse::<i16>().ok()?,
-        _ => return None,
-    };
-    let number = i16::from(subindex).checked_add(offset)?;
-    let after = if after.contains('{') { numbered(after, subindex)? } else { after.to_owned() };
-    Some(format!("{before}{number}{after}"))
+    let (mut out, mut rest) = (String::with_capacity(text.len() + 4), text);
+    rest.contains('{').then_some(())?;
+    while let Some((before, braced)) = rest.split_once('{') {
+        let (offset, after) = braced.split_once('}')?;
+        let offset = match offset {
+            "" => 0,
+            signed if signed.starts_with(['+', '-']) => signed.parse::<i16>().ok()?,
+            _ => return None,
+        };
+        let number = i16::from(subindex).checked_add(offset)?;
+        out.push_str(before);
+        out.push_str(&number.to_string());
+        rest = after;
+    }
+    out.push_str(rest);
+    Some(out)
 }
 
 /// The text for one of several subindices; as it stands where it has no braces that make sense.

@@ -1,5 +1,7 @@
 //! The described part of the dictionary.
 
+use std::ops::RangeInclusive;
+
 use super::context::Context;
 use super::{entries, names};
 use crate::diagnostic::{Diagnostic, faults};
@@ -13,22 +15,18 @@ pub(super) struct Described {
     pub(super) overlays: Vec<RawObject>,
 }
 
-/// How many entries a dictionary may have: more than any drive has, and few enough to be held in memory. A few lines
-/// of a description can ask for many more, by ranges of subindices and by axes.
-const MOST_ENTRIES: usize = 500_000;
-
 /// Resolves each described object on each axis; sets aside what is said of objects that devc makes.
 pub(super) fn objects(context: &mut Context<'_>, raw: Vec<RawObject>) -> Described {
     let mut described = Described { objects: Vec::new(), overlays: Vec::new() };
-    for entity in within_limit(context, raw) {
+    for entity in raw {
         let index = entity.index;
         if index.is_derived() {
             described.overlays.push(entity);
             continue;
         }
-        report_unknown_axes(context, &entity);
+        let differing = differing(context, &entity);
         for (axis, by) in context.copies(index) {
-            let entity = on_axis(context, &entity, axis);
+            let entity = on_axis(&differing, axis).unwrap_or(&entity);
             described.objects.extend(object(context, entity, Index(index.0 + by), axis));
         }
     }
@@ -37,53 +35,41 @@ pub(super) fn objects(context: &mut Context<'_>, raw: Vec<RawObject>) -> Describ
     described
 }
 
-/// The objects, or none if they would have too many entries on all axes together.
-fn within_limit(context: &mut Context<'_>, raw: Vec<RawObject>) -> Vec<RawObject> {
-    let mut total = 0;
-    let excess = raw.iter().find(|entity| {
-        let several = entity.entries.iter().map(|entries| usize::from(entries.range.1 - entries.range.0) + 1);
-        total += context.copies(entity.index).len() * (1 + several.sum::<usize>());
-        total > MOST_ENTRIES
-    });
-    let Some(at) = excess.map(|entity| entity.origin.header()) else { return raw };
-    let message = format!("the dictionary has more than the {MOST_ENTRIES} entries that devc holds");
-    let fault = Diagnostic::new(&faults::UNFIT_VALUE, message, at, "too much with what stands before");
-    context.diagnostics.push(match context.axes.len() {
-        0 | 1 => fault,
-        axes => fault.note(format!("an object of an axis counts {axes} times, once for each axis")),
-    });
-    Vec::new()
-}
-
 /// The object of this index, among objects in the order of their indices.
 pub(super) fn at(objects: &[Object], index: Index) -> Option<&Object> {
     let place = objects.binary_search_by_key(&index, |object| object.index).ok()?;
     objects.get(place)
 }
 
-/// The object as it is on an axis.
-fn on_axis<'e>(context: &Context<'_>, entity: &'e RawObject, axis: Option<u8>) -> &'e RawObject {
-    let Some(axis) = axis else { return entity };
-    let known = axis_names(context);
-    let differing = entity
-        .per_axis
-        .iter()
-        .find(|(axes, _)| keys::names(axes, &known).is_some_and(|range| range.contains(&usize::from(axis))));
-    differing.map_or(entity, |(_, entity)| entity)
-}
-
-fn axis_names(context: &Context<'_>) -> Vec<String> {
-    context.axes.iter().map(|axis| axis.name.clone()).collect()
-}
-
-fn report_unknown_axes(context: &mut Context<'_>, entity: &RawObject) {
-    let known = axis_names(context);
-    for (axes, _) in &entity.per_axis {
-        if keys::names(axes, &known).is_none() {
-            let at = entity.origin.value("per-axis");
-            context.invalid(axes, &format!("an axis or a range of axes of {}", known.join(", ")), at);
+/// The object as it is on some axes; reports what names no axis.
+fn differing<'e>(
+    context: &mut Context<'_>,
+    entity: &'e RawObject,
+) -> Vec<(RangeInclusive<usize>, &'e RawObject)> {
+    if entity.per_axis.is_empty() {
+        return Vec::new();
+    }
+    let known: Vec<String> = context.axes.iter().map(|axis| axis.name.clone()).collect();
+    let mut differing = Vec::new();
+    for (axes, on_them) in &entity.per_axis {
+        match keys::names(axes, &known) {
+            Some(range) => differing.push((range, on_them)),
+            None => {
+                let at = entity.origin.value("per-axis");
+                context.invalid(axes, &format!("an axis or a range of axes of {}", keys::some(&known)), at);
+            }
         }
     }
+    differing
+}
+
+/// The object as it is on an axis, if it is another one there.
+fn on_axis<'e>(
+    differing: &[(RangeInclusive<usize>, &'e RawObject)],
+    axis: Option<u8>,
+) -> Option<&'e RawObject> {
+    let axis = usize::from(axis?);
+    differing.iter().find(|(axes, _)| axes.contains(&axis)).map(|(_, entity)| *entity)
 }
 
 fn report_duplicates(context: &mut Context<'_>, objects: &[Object]) {

@@ -1,5 +1,6 @@
 //! PDOs on each axis, laid out bit by bit.
 
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use super::context::Context;
@@ -13,6 +14,10 @@ use crate::source::{Location, Origin};
 /// What a sync manager can carry: its length is a number of bytes in 16 bits.
 const MAX_BITS: u32 = u16::MAX as u32 * 8;
 
+/// What a mapping object, or an assignment, has room for: subindices 1 to 254, since 0 is their number and CiA 301 keeps
+/// 255 for itself.
+pub(super) const MOST: usize = 254;
+
 /// The PDOs of a direction, by index.
 pub(super) fn pdos(
     context: &mut Context<'_>,
@@ -20,6 +25,8 @@ pub(super) fn pdos(
     direction: Direction,
     objects: &[Object],
 ) -> Vec<Pdo> {
+    let described: Described =
+        raw.iter().filter_map(|it| Some((names::index(&it.key)?, it.per_axis))).collect();
     let mut pdos = Vec::new();
     for entity in raw {
         let at = entity.origin.header();
@@ -32,7 +39,7 @@ pub(super) fn pdos(
             continue;
         }
         for (axis, index) in copies(context, entity, index) {
-            pdos.push(pdo(context, entity, index, axis, direction, objects));
+            pdos.push(pdo(context, entity, (index, axis), direction, &described, objects));
         }
     }
     pdos.sort_by_key(|pdo| pdo.index);
@@ -106,9 +113,9 @@ fn report_duplicates(context: &mut Context<'_>, pdos: &[Pdo]) {
 fn pdo(
     context: &mut Context<'_>,
     entity: &RawPdo,
-    index: Index,
-    axis: Option<u8>,
+    (index, axis): (Index, Option<u8>),
     direction: Direction,
+    described: &Described,
     objects: &[Object],
 ) -> Pdo {
     let RawPdo {
@@ -137,7 +144,7 @@ fn pdo(
         entries: mapped(context, entries, origin, "entries", axis, objects),
         fixed: fixed.unwrap_or(true),
         mandatory: *mandatory,
-        excludes: self::excludes(context, excludes, origin, distance, direction),
+        excludes: self::excludes(context, excludes, origin, distance, described),
         mode: *mode,
         total: *total,
         max_bytes: *max_bytes,
@@ -148,18 +155,23 @@ fn pdo(
     }
 }
 
+/// The PDOs of a direction as they are described, each with whether every axis has one.
+type Described = BTreeMap<Index, bool>;
+
+/// What a PDO excludes: of a PDO that each axis has, that of its own axis.
 fn excludes(
     context: &mut Context<'_>,
     raw: &[String],
     origin: &Origin,
     distance: u16,
-    direction: Direction,
+    described: &Described,
 ) -> Vec<Index> {
     let mut excludes = Vec::new();
     for (i, text) in raw.iter().enumerate() {
-        let pdo = names::index(text).filter(|index| in_range(*index, direction));
-        match pdo.filter(|_| context.names.find(text).is_ok()) {
-            Some(index) => excludes.push(Index(index.0.wrapping_add(distance))),
+        let found = names::index(text).and_then(|index| Some((index, *described.get(&index)?)));
+        match found {
+            Some((index, true)) => excludes.push(Index(index.0.wrapping_add(distance))),
+            Some((index, false)) => excludes.push(index),
             None => {
                 context.no_pdo(text, origin.value(&format!("excludes.{i}")), "not a PDO of this direction");
             }
@@ -183,6 +195,11 @@ pub(super) fn mapped(
     let mut entries = Vec::new();
     for (i, entry) in raw.iter().enumerate() {
         let at = origin.value(&format!("{path}.{i}"));
+        if i == MOST {
+            let message = format!("{} entries do not fit a PDO", raw.len());
+            context.fault(&faults::UNFIT_VALUE, message, at, &format!("a mapping object holds {MOST}"));
+            break;
+        }
         if let Some(found) = one(context, entry, at, axis, objects) {
             let mapped = Mapped { offset, id: ids.claim(&found.id), ..found };
             offset += mapped.bits;
@@ -214,7 +231,7 @@ fn one(
         at,
     };
     let Some(text) = &raw.entry else { return Some(padding) };
-    let address = context.names.find(text).ok().map(|address| context.on_axis(address, axis));
+    let address = context.names.find(text).map(|address| context.on_axis(address, axis));
     let entry = address.and_then(|address| find(objects, address));
     match (entry, absent(context, text, axis), raw.bits) {
         (Some((object, entry)), ..) => {

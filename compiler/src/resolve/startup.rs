@@ -40,7 +40,7 @@ pub(super) fn startup(
 
 /// Where an object lies on an axis, if it does anything there.
 fn on_axis(context: &Context<'_>, objects: &[Object], text: &str, axis: u8) -> Option<Index> {
-    let address = context.names.find(text).ok()?;
+    let address = context.names.find(text)?;
     let index = context.on_axis(address, Some(axis)).index;
     objects::at(objects, index).filter(|object| object.functional).map(|object| object.index)
 }

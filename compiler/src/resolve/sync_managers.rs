@@ -2,6 +2,7 @@
 
 use super::context::Context;
 use super::{names, pdos};
+use crate::diagnostic::faults;
 use crate::model::{Index, Pdo, Role, SyncManager};
 use crate::raw::{RawPdo, RawSyncManager};
 
@@ -64,11 +65,17 @@ fn usual_control(role: Role) -> u8 {
 fn assigned(context: &mut Context<'_>, entity: &RawSyncManager, described: &[&RawPdo]) -> Vec<Index> {
     let mut assigned: Vec<(Option<u8>, Index)> = Vec::new();
     for (i, text) in entity.pdos.iter().enumerate() {
-        let pdo = described.iter().find(|pdo| names::index(&pdo.key) == names::index(text));
-        match (pdo, names::index(text)) {
+        let index = names::index(text);
+        let pdo = described.iter().find(|pdo| names::index(&pdo.key) == index);
+        match (pdo, index) {
             (Some(pdo), Some(index)) => assigned.extend(pdos::copies(context, pdo, index)),
             _ => context.no_pdo(text, entity.origin.value(&format!("pdos.{i}")), "not described"),
         }
+    }
+    if assigned.len() > pdos::MOST {
+        let message = format!("{} PDOs cannot be assigned to one sync manager", assigned.len());
+        let label = format!("an assignment holds {}", pdos::MOST);
+        context.fault(&faults::UNFIT_VALUE, message, entity.origin.value("pdos"), &label);
     }
     assigned.sort_by_key(|(axis, _)| *axis);
     assigned.into_iter().map(|(_, index)| index).collect()

@@ -37,7 +37,7 @@ fn axes(context: &mut Context<'_>, raw: &RawUnit) -> Vec<AxisUnit> {
     let mut axes = vec![shared; names.len()];
     for (key, differing) in &raw.per_axis {
         let Some(range) = keys::names(key, &names) else {
-            let expected = format!("an axis or a range of axes of {}", names.join(", "));
+            let expected = format!("an axis or a range of axes of {}", keys::some(&names));
             context.invalid(key, &expected, raw.origin.value("per-axis"));
             continue;
         };

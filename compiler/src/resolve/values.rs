@@ -65,8 +65,8 @@ fn fit(literal: &Literal, data_type: DataType) -> Option<Value> {
         (Literal::Text(text), DataType::Text(bytes)) => {
             (text.len() <= usize::from(bytes)).then(|| Value::Text(text.clone()))
         }
-        (Literal::Float(value), DataType::Real32 | DataType::Real64) => Some(Value::Real(*value)),
-        (Literal::Integer(value), DataType::Real32 | DataType::Real64) => Some(Value::Real(*value as f64)),
+        (Literal::Float(value), DataType::Real32 | DataType::Real64) => real(*value, data_type),
+        (Literal::Integer(value), DataType::Real32 | DataType::Real64) => real(*value as f64, data_type),
         (Literal::Integer(value), _) => {
             let (min, max) = data_type.range()?;
             let within = (min..=max).contains(value);
@@ -77,6 +77,12 @@ fn fit(literal: &Literal, data_type: DataType) -> Option<Value> {
         }
         _ => None,
     }
+}
+
+/// A number with a fraction, if the type reaches as far.
+fn real(value: f64, data_type: DataType) -> Option<Value> {
+    let greatest = if data_type == DataType::Real32 { f32::MAX.into() } else { f64::MAX };
+    (value.abs() <= greatest).then_some(Value::Real(value))
 }
 
 fn shown(literal: &Literal) -> String {
@@ -91,6 +97,7 @@ fn shown(literal: &Literal) -> String {
 fn holds(data_type: DataType) -> String {
     match (data_type.range(), data_type) {
         (Some((min, max)), _) => format!("{data_type} holds {min} to {max}"),
+        (None, DataType::Real32) => format!("{data_type} holds numbers up to {:e}", f32::MAX),
         (None, DataType::Text(bytes)) => format!("{data_type} holds text of up to {bytes} bytes"),
         (None, _) => format!("{data_type} holds numbers"),
     }

@@ -1,5 +1,6 @@
 //! Following `include` from file to file.
 
+use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -7,7 +8,7 @@ use std::sync::Arc;
 use super::loader::{MAX_SIZE, Opened, clean, or_here, shown, similar};
 use super::parse::parse;
 use super::settings::Settings;
-use super::{Layer, Loader, Location, SourceFile, Sources, Table};
+use super::{Layer, Loader, Location, SourceFile, Sources, Table, limits};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 
 /// How many files may include one another in a row.
@@ -25,7 +26,11 @@ pub(super) struct Reader<'a> {
     /// The files whose includes are being followed, outermost first: canonical, and as shown.
     chain: Vec<(PathBuf, String)>,
     /// The canonical paths of all files seen.
-    seen: Vec<PathBuf>,
+    seen: BTreeSet<PathBuf>,
+    /// How many includes were followed.
+    followed: usize,
+    /// How many bytes were read.
+    bytes: usize,
     /// What was read.
     pub(super) parts: Vec<Part>,
     /// Where it was read from.
@@ -47,8 +52,21 @@ impl<'a> Reader<'a> {
         diagnostics: &'a mut Diagnostics,
     ) -> Option<Self> {
         let folder = loader.canonical(main).ok()?.parent()?.to_owned();
-        let (chain, seen, parts, files) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Some(Self { loader, folder, opened: None, sources, diagnostics, chain, seen, parts, files })
+        let (chain, seen, parts, files) = (Vec::new(), BTreeSet::new(), Vec::new(), Vec::new());
+        let opened = None;
+        Some(Self {
+            loader,
+            folder,
+            opened,
+            sources,
+            diagnostics,
+            chain,
+            seen,
+            followed: 0,
+            bytes: 0,
+            parts,
+            files,
+        })
     }
 
     /// Reads the first file and all it includes.
@@ -63,7 +81,7 @@ impl<'a> Reader<'a> {
     }
 
     fn enter(&mut self, path: &Path, canonical: PathBuf, from: Option<(&str, Location)>) {
-        self.seen.push(canonical.clone());
+        self.seen.insert(canonical.clone());
         let at = from.map(|(_, at)| at);
         let (name, text) = match self.text(path) {
             Ok(read) => read,
@@ -91,6 +109,10 @@ impl<'a> Reader<'a> {
     }
 
     fn follow(&mut self, from: &Path, name: &Arc<str>, at: Location) {
+        self.followed += 1;
+        if self.followed > limits::FILES {
+            return self.diagnostics.push(limits::includes(at));
+        }
         let path = from.parent().unwrap_or(Path::new("")).join(&**name);
         let canonical = match self.loader.canonical(&path) {
             Ok(canonical) => canonical,
@@ -119,11 +141,15 @@ impl<'a> Reader<'a> {
     }
 
     /// The name and the text of what the path leads to.
-    fn text(&self, path: &Path) -> Result<(PathBuf, String), Unreadable> {
+    fn text(&mut self, path: &Path) -> Result<(PathBuf, String), Unreadable> {
         let unreadable = |why: String| Unreadable { message: format!("`{}` {why}", shown(path)), help: None };
         let Opened { name, bytes } = self.loader.read(path).map_err(|error| unreadable(reason(&error)))?;
         if bytes.len() > MAX_SIZE {
             return Err(unreadable(format!("is larger than {} MiB", MAX_SIZE >> 20)));
+        }
+        self.bytes += bytes.len();
+        if self.bytes > MAX_SIZE {
+            return Err(unreadable(format!("makes the description larger than {} MiB", MAX_SIZE >> 20)));
         }
         let text = String::from_utf8(bytes).map_err(|error| {
             let offset = error.utf8_error().valid_up_to();
@@ -146,7 +172,9 @@ impl<'a> Reader<'a> {
         let message = format!("`{}` does not exist", shown(path));
         let diagnostic = Diagnostic::new(&faults::MISSING_FILE, message, at, "included here");
         let wrong = path.file_name().unwrap_or_default().to_string_lossy();
-        match (similar(self.loader, path), name.strip_suffix(&*wrong)) {
+        let has_room = self.diagnostics.has_room(&faults::MISSING_FILE);
+        let near = has_room.then(|| similar(self.loader, path)).flatten();
+        match (near, name.strip_suffix(&*wrong)) {
             (Some(near), Some(way)) if is_bare(&near) && is_bare(way) => {
                 diagnostic.fix(format!("did you mean `{near}`?"), at, format!("\"{way}{near}\""))
             }

@@ -21,6 +21,14 @@ pub(crate) fn range<T: TryFrom<i64> + PartialOrd + Copy>(text: &str) -> Option<R
     (first <= last).then_some(first..=last)
 }
 
+/// Names as a person reads them, not all if they are many.
+pub(crate) fn some(names: &[String]) -> String {
+    const READ: usize = 20;
+    let first: Vec<&str> = names.iter().take(READ).map(String::as_str).collect();
+    let more = if names.len() > READ { " and others" } else { "" };
+    first.join(", ") + more
+}
+
 /// The place of a name in a list, or of a range of names such as `"Y..=W"`.
 pub(crate) fn names(text: &str, known: &[String]) -> Option<RangeInclusive<usize>> {
     let (first, last) = text.split_once("..=").unwrap_or((text, text));

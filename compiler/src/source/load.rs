@@ -1,5 +1,6 @@
 //! A description with all it includes and the profiles it builds on.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -8,7 +9,7 @@ use super::loader::{shown, similar};
 use super::merge::{merge, with_default_source};
 use super::parse::parse;
 use super::settings::Settings;
-use super::{Layer, Loader, Location, SourceFile, Sources, Table};
+use super::{Layer, Loader, Location, Members, SourceFile, Sources, Table, limits};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::text::near::{list, near};
 
@@ -50,16 +51,12 @@ pub fn load(
     reader.read(&main);
     let (parts, files) = (reader.parts, reader.files);
     let mut wanted = Vec::new();
-    let mut root: Option<Table> = None;
-    for part in parts {
+    let tables = parts.into_iter().map(|part| {
         wanted.extend(part.settings.profiles);
-        let table = with_default_source(part.table, part.settings.source.as_ref());
-        match &mut root {
-            Some(root) => merge(root, table, diagnostics),
-            None => root = Some(table),
-        }
-    }
-    let root = root?;
+        with_default_source(part.table, part.settings.source.as_ref())
+    });
+    let root = merge(tables, diagnostics)?;
+    limits::check(&root, diagnostics);
     let profile = layer(&wanted, profiles, root.at, sources, diagnostics);
     Some(Document { root, profile, files })
 }
@@ -95,13 +92,12 @@ fn layer(
     sources: &mut Sources,
     diagnostics: &mut Diagnostics,
 ) -> Table {
-    let mut seen: Vec<&str> = Vec::new();
-    let mut layered = Table { at: Location { end: at.start, ..at }, members: Vec::new() };
+    let mut seen: BTreeSet<&str> = BTreeSet::new();
+    let mut layered = Table { at: Location { end: at.start, ..at }, members: Members::default() };
     for (name, at) in wanted {
-        if seen.contains(&&**name) {
+        if !seen.insert(name) {
             continue;
         }
-        seen.push(name);
         match profiles.iter().find(|profile| profile.name == &**name) {
             Some(profile) => layered = read_profile(profile, sources, diagnostics).over(&layered),
             None => diagnostics.push(unknown_profile(name, *at, profiles)),

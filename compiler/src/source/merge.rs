@@ -3,38 +3,89 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{CanonicalKey, Key, Member, Node, Table, Value};
+use super::{CanonicalKey, Key, Member, Members, Node, Table, Value};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 
-/// Adds the sections of a file to those of the files before it.
+/// The sections of all files in one table, that of the first file.
 ///
 /// A section may be spread over files, an entity may not: only one file defines it.
-pub(super) fn merge(base: &mut Table, part: Table, diagnostics: &mut Diagnostics) {
-    for member in part.members {
-        match base.members.iter_mut().find(|first| first.key.name == member.key.name) {
-            Some(first) => join(first, member, diagnostics),
-            None => base.members.push(member),
+pub(super) fn merge(parts: impl IntoIterator<Item = Table>, diagnostics: &mut Diagnostics) -> Option<Table> {
+    let mut parts = parts.into_iter().peekable();
+    let at = parts.peek()?.at;
+    let mut sections: Vec<Section> = Vec::new();
+    let mut places: BTreeMap<Arc<str>, usize> = BTreeMap::new();
+    for member in parts.flat_map(|part| part.members) {
+        let place = *places.entry(member.key.name.clone()).or_insert(sections.len());
+        match sections.get_mut(place) {
+            Some(section) => section.join(member, diagnostics),
+            None => sections.push(Section::new(member)),
         }
     }
+    Some(Table { at, members: sections.into_iter().map(Section::whole).collect() })
 }
 
-fn join(first: &mut Member, second: Member, diagnostics: &mut Diagnostics) {
-    match (&mut first.node.value, second.node.value) {
-        (Value::Table(first), Value::Table(second)) => {
-            let first = Arc::make_mut(first);
-            let keys = first.members.iter().map(|member| (member.key.canonical.clone(), member.key.clone()));
-            let known: BTreeMap<CanonicalKey, Key> = keys.collect();
-            for member in second.members.iter().cloned() {
-                match known.get(&member.key.canonical) {
-                    Some(other) => diagnostics.push(twice(other, &member.key)),
-                    None => first.members.push(member),
+/// A section while its parts come in.
+struct Section {
+    first: Member,
+    content: Content,
+}
+
+enum Content {
+    /// The entities, with the key of each by what it stands for once a second part asks.
+    Entities(Vec<Member>, BTreeMap<CanonicalKey, Key>),
+    Tables(Vec<Node>),
+    /// What no second file can add to.
+    Other,
+}
+
+impl Section {
+    fn new(mut first: Member) -> Self {
+        let content = match &mut first.node.value {
+            Value::Table(table) => {
+                let members = std::mem::take(&mut Arc::make_mut(table).members);
+                Content::Entities(members.into_iter().collect(), BTreeMap::new())
+            }
+            Value::Array(items) if are_tables(items) => Content::Tables(items.to_vec()),
+            _ => Content::Other,
+        };
+        Self { first, content }
+    }
+
+    fn join(&mut self, second: Member, diagnostics: &mut Diagnostics) {
+        match (&mut self.content, second.node.value) {
+            (Content::Entities(members, known), Value::Table(table)) => {
+                if known.is_empty() {
+                    known.extend(
+                        members.iter().map(|member| (member.key.canonical.clone(), member.key.clone())),
+                    );
+                }
+                for member in &table.members {
+                    match known.get(&member.key.canonical) {
+                        Some(other) => diagnostics.push(twice(other, &member.key)),
+                        None => {
+                            known.insert(member.key.canonical.clone(), member.key.clone());
+                            members.push(member.clone());
+                        }
+                    }
                 }
             }
+            (Content::Tables(items), Value::Array(more)) if are_tables(&more) => {
+                items.extend_from_slice(&more)
+            }
+            _ => diagnostics.push(twice(&self.first.key, &second.key)),
         }
-        (Value::Array(first), Value::Array(second)) if are_tables(first) && are_tables(&second) => {
-            *first = first.iter().chain(second.iter()).cloned().collect();
+    }
+
+    fn whole(self) -> Member {
+        let Self { mut first, content } = self;
+        match (&mut first.node.value, content) {
+            (Value::Table(table), Content::Entities(members, _)) => {
+                Arc::make_mut(table).members = Members::from(members);
+            }
+            (Value::Array(items), Content::Tables(all)) => *items = all.into(),
+            _ => {}
         }
-        _ => diagnostics.push(twice(&first.key, &second.key)),
+        first
     }
 }
 

@@ -3,9 +3,11 @@
 //! It knows TOML and files, nothing of drives. All input goes through a [`Loader`]; the rest of the compiler never
 //! touches a file system.
 
+mod characters;
 mod duplicate;
 mod include;
 pub(crate) mod keys;
+mod limits;
 mod load;
 mod loader;
 mod merge;
@@ -23,6 +25,6 @@ pub use load::{Document, MAIN_FILE, Profile, load};
 pub use loader::{Disk, Loader, MAX_SIZE, Memory, Opened};
 pub use origin::Origin;
 pub(crate) use origin::parts;
-pub use tree::{CanonicalKey, Key, Layer, Member, Node, Table, Value};
+pub use tree::{CanonicalKey, Key, Layer, Member, Members, Node, Table, Value};
 
 pub use crate::text::{FileId, Location, SourceFile, Sources};

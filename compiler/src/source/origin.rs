@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Layer, Location, Member, Node, Table, Value};
+use super::{Layer, Location, Member, Members, Node, Table, Value};
 
 /// The table an entity was read from, kept beside the entity so that a message can point into it.
 ///
@@ -25,7 +25,7 @@ impl Origin {
     #[must_use]
     pub fn header_only(&self) -> Self {
         let at = self.table.at;
-        Self { header: self.header, table: Arc::new(Table { at, members: Vec::new() }) }
+        Self { header: self.header, table: Arc::new(Table { at, members: Members::default() }) }
     }
 
     /// Where the entity is named.
@@ -41,6 +41,11 @@ impl Origin {
     /// Where the value at `path` was set (`"max"`, `"entries.0x01.type"`); the header if nothing set it.
     pub fn value(&self, path: &str) -> Location {
         self.node(path).map_or(self.header, |node| node.at)
+    }
+
+    /// About how many bytes all that is said of the entity is.
+    pub(crate) fn weight(&self) -> usize {
+        self.table.members.weight()
     }
 
     /// Whether the value at `path` was set.
@@ -93,7 +98,7 @@ fn inner<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
 impl Default for Origin {
     fn default() -> Self {
         let nowhere = Location { file: super::FileId(0), start: 0, end: 0 };
-        Self { header: nowhere, table: Arc::new(Table { at: nowhere, members: Vec::new() }) }
+        Self { header: nowhere, table: Arc::new(Table { at: nowhere, members: Members::default() }) }
     }
 }
 

@@ -22,8 +22,8 @@ impl Settings {
 }
 
 fn take(table: &mut Table, name: &str) -> Option<Member> {
-    let place = table.members.iter().position(|member| &*member.key.name == name)?;
-    Some(table.members.remove(place))
+    let place = table.members.place(name)?;
+    table.members.remove(place)
 }
 
 /// The strings of a list at the top of a file.

@@ -3,11 +3,14 @@
 //! The tree is shared, not copied: laying a table over another makes a new list of members that point
 //! at the same nodes. So each value still knows the file that really set it, however many layers there are.
 
+mod members;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Location;
 use super::keys::range;
+pub use members::Members;
 
 /// A value and its place.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,7 +92,7 @@ pub struct Table {
     /// The `[header]`, or the braces of an inline table, or the whole file for its root.
     pub at: Location,
     /// The members, each key once.
-    pub members: Vec<Member>,
+    pub members: Members,
 }
 
 impl Value {
@@ -137,18 +140,12 @@ impl Node {
 impl Table {
     /// The member of this name, in whatever spelling of a number.
     pub fn get(&self, name: &str) -> Option<&Member> {
-        self.position(name).and_then(|place| self.members.get(place))
+        self.members.get(self.position(name)?)
     }
 
     /// The place among the members of the one of this name.
     pub fn position(&self, name: &str) -> Option<usize> {
-        match range::<i64>(name) {
-            None => self.members.iter().position(|member| &*member.key.name == name),
-            Some(range) => {
-                let meant = CanonicalKey::Range(*range.start(), *range.end());
-                self.members.iter().position(|member| member.key.canonical == meant)
-            }
-        }
+        self.members.place(name)
     }
 
     /// This table laid over `base`: tables merge member by member, everything else in `base` is replaced.
@@ -163,7 +160,7 @@ impl Table {
         };
         let mut members: Vec<Member> = base.members.iter().map(&mut laid).collect();
         members.extend(self.members.iter().filter(|member| own.contains_key(&member.key.canonical)).cloned());
-        Table { at: self.at, members }
+        Table { at: self.at, members: members.into() }
     }
 }
 

@@ -2,10 +2,15 @@
 //!
 //! This is the lowest room of the house: messages point into texts, and to read a description is to make messages.
 
+pub mod characters;
+mod lines;
 pub(crate) mod near;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+pub(crate) use lines::{Lines, Position};
 
 /// A file of one compilation, by its place in [`Sources`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -36,7 +41,7 @@ pub struct SourceFile {
 /// All files of one compilation, in the order in which they were read.
 #[derive(Debug, Clone, Default)]
 pub struct Sources {
-    files: Vec<SourceFile>,
+    files: Vec<(SourceFile, OnceLock<Lines>)>,
     names: BTreeMap<FileId, PathBuf>,
 }
 
@@ -44,7 +49,7 @@ impl Sources {
     /// Keeps a file and names it.
     pub fn add(&mut self, file: SourceFile) -> FileId {
         let id = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
-        self.files.push(file);
+        self.files.push((file, OnceLock::new()));
         id
     }
 
@@ -62,6 +67,15 @@ impl Sources {
 
     /// The file of this name, if it is one of ours.
     pub fn get(&self, id: FileId) -> Option<&SourceFile> {
+        self.entry(id).map(|(file, _)| file)
+    }
+
+    /// A file with its lines.
+    pub(crate) fn lines(&self, id: FileId) -> Option<(&SourceFile, &Lines)> {
+        self.entry(id).map(|(file, lines)| (file, lines.get_or_init(|| Lines::of(&file.text))))
+    }
+
+    fn entry(&self, id: FileId) -> Option<&(SourceFile, OnceLock<Lines>)> {
         self.files.get(usize::try_from(id.0).ok()?)
     }
 
@@ -72,6 +86,6 @@ impl Sources {
 
     /// All files, in the order in which they were read.
     pub fn iter(&self) -> impl Iterator<Item = (FileId, &SourceFile)> {
-        (0..).map(FileId).zip(&self.files)
+        (0..).map(FileId).zip(self.files.iter().map(|(file, _)| file))
     }
 }

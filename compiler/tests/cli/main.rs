@@ -13,6 +13,7 @@ mod imports;
 #[cfg(unix)]
 mod interrupted;
 mod levels;
+mod many;
 #[cfg(unix)]
 mod odd_files;
 mod outputs;

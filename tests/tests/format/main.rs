@@ -2,6 +2,8 @@
 
 #![cfg(test)]
 
+mod text;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -5,6 +5,8 @@
 mod colliding_axes;
 mod duplicate_definition;
 mod duplicate_index;
+mod exceeded_limit;
+mod forbidden_character;
 mod include_cycle;
 mod invalid_toml;
 mod invalid_value;
@@ -23,6 +25,8 @@ mod wrong_type;
 pub(crate) use colliding_axes::COLLIDING_AXES;
 pub(crate) use duplicate_definition::DUPLICATE_DEFINITION;
 pub(crate) use duplicate_index::DUPLICATE_INDEX;
+pub(crate) use exceeded_limit::EXCEEDED_LIMIT;
+pub(crate) use forbidden_character::FORBIDDEN_CHARACTER;
 pub(crate) use include_cycle::INCLUDE_CYCLE;
 pub(crate) use invalid_toml::INVALID_TOML;
 pub(crate) use invalid_value::INVALID_VALUE;
@@ -45,6 +49,8 @@ pub static ALL: &[&Rule] = &[
     &COLLIDING_AXES,
     &DUPLICATE_DEFINITION,
     &DUPLICATE_INDEX,
+    &EXCEEDED_LIMIT,
+    &FORBIDDEN_CHARACTER,
     &INCLUDE_CYCLE,
     &INVALID_TOML,
     &INVALID_VALUE,

@@ -1,16 +1,16 @@
 //! Messages as GitHub shows them beside the lines of a pull request.
 
-use super::position::Positions;
+use super::position::range;
 use crate::diagnostic::{Diagnostic, Diagnostics, Level};
 use crate::text::Sources;
+use crate::text::characters::line;
 
 /// A workflow command for each message.
 pub fn github(diagnostics: &Diagnostics, sources: &Sources) -> String {
-    let positions = Positions::new(sources);
-    diagnostics.iter().map(|diagnostic| command(diagnostic, sources, &positions)).collect()
+    diagnostics.iter().map(|diagnostic| command(diagnostic, sources)).collect()
 }
 
-fn command(diagnostic: &Diagnostic, sources: &Sources, positions: &Positions<'_>) -> String {
+fn command(diagnostic: &Diagnostic, sources: &Sources) -> String {
     let name = match diagnostic.level {
         Level::Error => "error",
         Level::Warning => "warning",
@@ -19,7 +19,7 @@ fn command(diagnostic: &Diagnostic, sources: &Sources, positions: &Positions<'_>
     let rule = diagnostic.rule.name;
     let place = diagnostic.at().and_then(|at| {
         let file = sources.get(at.file).filter(|file| !file.embedded)?;
-        let (start, end) = positions.range(at);
+        let (start, end) = range(at, sources);
         let lines = format!("line={},endLine={}", start.line, end.line);
         // Columns mean nothing to GitHub when the range spans lines.
         let columns = if start.line == end.line {
@@ -35,16 +35,18 @@ fn command(diagnostic: &Diagnostic, sources: &Sources, positions: &Positions<'_>
 
 /// All there is to say, since GitHub shows one text only.
 fn whole(diagnostic: &Diagnostic) -> String {
-    let helps = diagnostic.helps.iter().map(|help| format!("help: {}", help.text));
-    let notes = diagnostic.notes.iter().map(|note| format!("note: {note}"));
-    let lines: Vec<String> = std::iter::once(diagnostic.message.clone()).chain(notes).chain(helps).collect();
-    lines.join("\n")
+    let helps = diagnostic.helps.iter().map(|help| format!("help: {}", line(&help.text)));
+    let notes = diagnostic.notes.iter().map(|note| format!("note: {}", line(note)));
+    let message = line(&diagnostic.message).into_owned();
+    std::iter::once(message).chain(notes).chain(helps).collect::<Vec<_>>().join("\n")
 }
 
+/// Lines as the text of a command: a runner reads commands line by line, and knows `%` for what it would take for
+/// something else.
 fn data(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+    text.replace('%', "%25").replace('\n', "%0A")
 }
 
 fn property(text: &str) -> String {
-    data(text).replace(':', "%3A").replace(',', "%2C")
+    data(&line(text)).replace(':', "%3A").replace(',', "%2C")
 }

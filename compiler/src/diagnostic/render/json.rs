@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::position::{Position, Positions};
+use super::position::range;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::text::{Location, Sources};
+use crate::text::{Location, Position, Sources, characters as text};
 
 #[derive(Serialize)]
 struct Output {
@@ -62,19 +62,16 @@ struct Point {
 
 /// The messages about several descriptions as one JSON document.
 pub fn json(runs: &[(&Diagnostics, &Sources)]) -> String {
-    let diagnostics = runs.iter().flat_map(|(diagnostics, sources)| {
-        let positions = Positions::new(sources);
-        let messages: Vec<Message> =
-            diagnostics.iter().map(|diagnostic| message(diagnostic, sources, &positions)).collect();
-        messages
-    });
+    let diagnostics = runs
+        .iter()
+        .flat_map(|(diagnostics, sources)| diagnostics.iter().map(|diagnostic| message(diagnostic, sources)));
     let output = Output { version: 1, diagnostics: diagnostics.collect() };
-    serde_json::to_string_pretty(&output).unwrap_or_default() + "\n"
+    text::json(&serde_json::to_string_pretty(&output).unwrap_or_default()).into_owned() + "\n"
 }
 
-fn message(diagnostic: &Diagnostic, sources: &Sources, positions: &Positions<'_>) -> Message {
-    let Diagnostic { rule, level, message, labels, notes, helps } = diagnostic;
-    let place = |at: Location| place(at, sources, positions);
+fn message(diagnostic: &Diagnostic, sources: &Sources) -> Message {
+    let Diagnostic { rule, level, message, labels, notes, helps, .. } = diagnostic;
+    let place = |at: Location| place(at, sources);
     let edit =
         |edit: &crate::diagnostic::Edit| Edit { place: place(edit.at), replacement: edit.text.clone() };
     Message {
@@ -95,8 +92,8 @@ fn message(diagnostic: &Diagnostic, sources: &Sources, positions: &Positions<'_>
     }
 }
 
-fn place(at: Location, sources: &Sources, positions: &Positions<'_>) -> Place {
-    let (start, end) = positions.range(at);
+fn place(at: Location, sources: &Sources) -> Place {
+    let (start, end) = range(at, sources);
     let point = |position: Position, offset| Point { line: position.line, column: position.column, offset };
     Place {
         file: sources.get(at.file).map(|file| file.path.clone()).unwrap_or_default(),

@@ -9,6 +9,7 @@ mod sarif;
 #[cfg(test)]
 mod tests;
 mod text;
+mod window;
 
 pub use github::github;
 #[cfg(feature = "json")]

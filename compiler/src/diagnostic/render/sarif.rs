@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::position::Positions;
+use super::position::range;
 use crate::diagnostic::{Diagnostic, Diagnostics, Level, Rule};
-use crate::text::{Location, Sources};
+use crate::text::{Location, Sources, characters as text};
 
 const RULES_URI: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/compiler/docs/rules.md");
 
@@ -13,10 +13,8 @@ pub fn sarif(runs: &[(&Diagnostics, &Sources)], rules: &[&Rule]) -> String {
     let results: Vec<Value> = runs
         .iter()
         .flat_map(|(diagnostics, sources)| {
-            let place = Places { sources, positions: Positions::new(sources) };
-            let results: Vec<Value> =
-                diagnostics.iter().map(|diagnostic| result(diagnostic, &place, rules)).collect();
-            results
+            let places = Places { sources };
+            diagnostics.iter().map(move |diagnostic| result(diagnostic, &places, rules))
         })
         .collect();
     let failed = runs.iter().any(|(diagnostics, _)| diagnostics.has_errors());
@@ -36,7 +34,7 @@ pub fn sarif(runs: &[(&Diagnostics, &Sources)], rules: &[&Rule]) -> String {
             "results": results,
         }],
     });
-    serde_json::to_string_pretty(&log).unwrap_or_default() + "\n"
+    text::json(&serde_json::to_string_pretty(&log).unwrap_or_default()).into_owned() + "\n"
 }
 
 fn descriptor(rule: &Rule) -> Value {
@@ -77,7 +75,6 @@ fn level(level: Level) -> &'static str {
 
 struct Places<'s> {
     sources: &'s Sources,
-    positions: Positions<'s>,
 }
 
 impl Places<'_> {
@@ -90,7 +87,7 @@ impl Places<'_> {
     }
 
     fn region(&self, at: Location) -> Value {
-        let (start, end) = self.positions.range(at);
+        let (start, end) = range(at, self.sources);
         json!({
             "startLine": start.line,
             "startColumn": start.column_utf16,
@@ -128,7 +125,7 @@ fn result(diagnostic: &Diagnostic, places: &Places<'_>, rules: &[&Rule]) -> Valu
         "ruleId": rule.name,
         "ruleIndex": rules.iter().position(|other| other.name == rule.name),
         "level": level(diagnostic.level),
-        "message": { "text": text(diagnostic) },
+        "message": { "text": said(diagnostic) },
         "locations": primary.map(location).into_iter().collect::<Vec<_>>(),
         "relatedLocations": related.iter().map(location).collect::<Vec<_>>(),
         "fixes": fixes(diagnostic, places),
@@ -136,7 +133,7 @@ fn result(diagnostic: &Diagnostic, places: &Places<'_>, rules: &[&Rule]) -> Valu
 }
 
 /// The message with its notes and helps, since SARIF has no other place for them.
-fn text(diagnostic: &Diagnostic) -> String {
+fn said(diagnostic: &Diagnostic) -> String {
     let notes = diagnostic.notes.iter().map(|note| format!("\nnote: {note}"));
     let helps = diagnostic.helps.iter().map(|help| format!("\nhelp: {}", help.text));
     diagnostic.message.clone() + &notes.chain(helps).collect::<String>()

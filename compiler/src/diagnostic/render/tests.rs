@@ -1,5 +1,7 @@
 //! How messages look.
 
+mod dangerous;
+
 use insta::assert_snapshot;
 
 use super::{Style, text};
@@ -201,6 +203,34 @@ fn github_escapes_what_ends_a_command() {
     assert_eq!(
         super::github(&diagnostics, &sources),
         "::error file=a b/déjà%2Cvu.toml,line=2,endLine=2,col=15,endColumn=18,title=unfit-value::\
-         300 is 100%25 too much%0Anote: a note:%0Awith two lines%0Ahelp: write 30\n"
+         300 is 100%25 too much%0Anote: a note:\\nwith two lines%0Ahelp: write 30\n"
     );
+}
+
+/// The place of a message in a large file, and in a line that is too long to be shown.
+#[test]
+fn what_is_far_away_costs_nothing_and_a_long_line_is_not_shown() {
+    let lines = "x = 1\n".repeat(100_000);
+    let long = format!("list = [{}]\n", "1, ".repeat(100_000));
+    let sources = sources(&[("device.toml", &format!("first = 1\n{lines}{long}last = 1\n"))]);
+    let length = sources.get(FileId(0)).expect("a file").text.len() as u32;
+    let at = |start: u32, end: u32| Location { file: FileId(0), start, end };
+    let diagnostic =
+        Diagnostic::new(&faults::UNFIT_VALUE, "three places", at(length - 9, length - 5), "the last")
+            .label(at(0, 5), "the first")
+            .label(at(10 + 600_000 + 8, 10 + 600_000 + 9), "in the list");
+    assert_snapshot!(text(&diagnostic, &sources, Style::Plain), @r"
+    error[unfit-value]: three places
+          --> device.toml:100003:1
+           |
+    100003 | last = 1
+           | ^^^^ the last
+           |
+          ::: device.toml:1:1
+           |
+         1 | first = 1
+           | ----- the first
+          ::: device.toml:100002:9
+           = note: in the list
+    ");
 }

@@ -6,6 +6,7 @@ use super::Places;
 use crate::diff::change::{Change, Class};
 use crate::diff::changes::Comparison;
 use crate::source::Sources;
+use crate::text::characters;
 
 /// The version of the format: it grows when a reader of the version before could be misled.
 const VERSION: u32 = 1;
@@ -43,7 +44,7 @@ struct Shown<'c> {
 
 /// A comparison as JSON: `devc-changes`, version 1.
 pub fn json(comparison: &Comparison, old: &Sources, new: &Sources) -> String {
-    let places = Places::new(old, new);
+    let places = Places { old, new };
     let devices = comparison.devices.iter().map(|device| Device {
         name: &device.name,
         old_revision: device.revisions.map(|(old, _)| old),
@@ -57,7 +58,7 @@ pub fn json(comparison: &Comparison, old: &Sources, new: &Sources) -> String {
         changes: comparison.changes.iter().map(|change| shown(change, &places)).collect(),
     };
     // Strings and numbers cannot fail to be written.
-    serde_json::to_string_pretty(&document).map(|text| text + "\n").unwrap_or_default()
+    characters::json(&serde_json::to_string_pretty(&document).unwrap_or_default()).into_owned() + "\n"
 }
 
 fn shown<'c>(change: &'c Change, places: &Places<'_>) -> Shown<'c> {

@@ -4,6 +4,7 @@ use super::{named, range, values};
 use crate::diff::change::{Change, Class};
 use crate::diff::changes::{Comparison, Versioned};
 use crate::emit::markdown::escaped as escape;
+use crate::text::characters::harmless;
 
 /// A comparison as Markdown, ready for a changelog: what breaks somebody first. Changes that only people notice are
 /// counted.
@@ -23,7 +24,7 @@ pub fn markdown(comparison: &Comparison) -> String {
             _ => out.push_str(&format!("\n### {}\n\n{}", title(class), lines.concat())),
         }
     }
-    out
+    harmless(&out).into_owned()
 }
 
 fn heading(device: &Versioned) -> String {

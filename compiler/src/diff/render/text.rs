@@ -4,6 +4,7 @@ use super::{Places, named, range, values};
 use crate::diff::change::{Change, Class};
 use crate::diff::changes::{Comparison, Versioned};
 use crate::source::Sources;
+use crate::text::characters::{harmless, line as one_line};
 
 /// A comparison as lines for a terminal: the changes by class, each with its kind, its place, what it was
 /// and is, and where both versions say so. `least` is the least class that is listed; of the others there is the number.
@@ -11,7 +12,7 @@ pub fn text(comparison: &Comparison, old: &Sources, new: &Sources, least: Class)
     if comparison.changes.is_empty() {
         return "nothing changes\n".to_owned();
     }
-    let places = Places::new(old, new);
+    let places = Places { old, new };
     let mut out: String = comparison.devices.iter().map(heading).collect();
     for class in Class::ALL {
         let changes = comparison.changes.iter().filter(|change| change.kind.class == class);
@@ -25,23 +26,30 @@ pub fn text(comparison: &Comparison, old: &Sources, new: &Sources, least: Class)
             }
         }
     }
-    out
+    harmless(&out).into_owned()
 }
 
 fn heading(device: &Versioned) -> String {
+    let name = one_line(&device.name);
     match device.revisions {
-        Some((old, new)) if old != new => format!("{}, revision 0x{old:08X} → 0x{new:08X}\n", device.name),
-        Some((old, _)) => format!("{}, revision 0x{old:08X} in both versions\n", device.name),
-        None => format!("{}, in one version only\n", device.name),
+        Some((old, new)) if old != new => format!("{name}, revision 0x{old:08X} → 0x{new:08X}\n"),
+        Some((old, _)) => format!("{name}, revision 0x{old:08X} in both versions\n"),
+        None => format!("{name}, in one version only\n"),
     }
 }
 
 fn line(comparison: &Comparison, change: &Change, places: &Places<'_>) -> String {
-    let name = named(change).map_or(String::new(), |name| format!(" {name}"));
+    let name = named(change).map_or(String::new(), |name| format!(" {}", one_line(name)));
     let range = range(comparison, change, ", ");
+    let range = one_line(&range);
     let values = values(change, "→");
     let values = if values.is_empty() { values } else { format!(": {values}") };
     let (old, new) = places.of(change);
     let places: Vec<String> = [old, new].into_iter().flatten().collect();
-    format!("  {} {}{name}{range}{values}\n      {}\n", change.kind.name, change.at, places.join(" → "))
+    format!(
+        "  {} {}{name}{range}{values}\n      {}\n",
+        change.kind.name,
+        change.at,
+        one_line(&places.join(" → "))
+    )
 }

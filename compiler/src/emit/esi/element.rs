@@ -1,10 +1,14 @@
 //! XML as a tree, and how it is written.
 
+use std::borrow::Cow;
 use std::fmt::Display;
 use std::io;
 
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 use quick_xml::writer::Writer;
+
+use crate::emit::escape::comment;
+use crate::text::characters::harmless;
 
 /// The language of all texts: English.
 const LANGUAGE: &str = "1033";
@@ -90,7 +94,7 @@ impl Element {
 /// A document: a comment at the head, then the root.
 pub(super) fn document(heading: &str, root: &Element) -> String {
     let mut writer = Writer::new_with_indent(Vec::new(), b' ', 2);
-    let comment = BytesText::from_escaped(comment(heading));
+    let comment = BytesText::from_escaped(comment(&printable(heading)));
     let written = writer
         .write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))
         .and_then(|()| writer.write_event(Event::Comment(comment)))
@@ -102,26 +106,13 @@ pub(super) fn document(heading: &str, root: &Element) -> String {
     text
 }
 
-/// The text as XML 1.0 can hold it: characters that it bans, such as NUL, become replacement characters.
+/// The text without what XML 1.0 bans, such as NUL, and what else no output can hold.
 fn printable(text: impl Display) -> String {
     let text = text.to_string();
-    if text.contains(banned) { text.replace(banned, "\u{FFFD}") } else { text }
-}
-
-fn banned(c: char) -> bool {
-    matches!(c, '\0'..='\x08' | '\x0B' | '\x0C' | '\x0E'..='\x1F' | '\u{FFFE}' | '\u{FFFF}')
-}
-
-/// The text as a comment can hold it: two hyphens would end it, so a space parts them.
-fn comment(text: &str) -> String {
-    let mut parted = String::with_capacity(text.len());
-    for c in printable(text).chars() {
-        if c == '-' && parted.ends_with('-') {
-            parted.push(' ');
-        }
-        parted.push(c);
+    match harmless(&text) {
+        Cow::Borrowed(_) => text,
+        Cow::Owned(harmless) => harmless,
     }
-    parted
 }
 
 #[cfg(test)]

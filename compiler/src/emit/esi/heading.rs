@@ -2,6 +2,7 @@
 //!
 //! It stands outside of every element because some readers take no comments within them.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use super::literal::prose;
@@ -73,15 +74,17 @@ pub(super) fn heading(family: &Family) -> String {
 
 /// What is assumed, each line once, with the device in front where it does not hold for all.
 fn assumptions(family: &Family) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
+    let own = |device: &Device| device.assumptions.iter().map(line).collect::<BTreeSet<_>>();
+    let mut members = family.members.iter().map(own);
+    let first = members.next().unwrap_or_default();
+    let everywhere = members.fold(first, |all, own| all.intersection(&own).cloned().collect());
+    let (mut seen, mut lines) = (BTreeSet::new(), Vec::new());
     for device in &family.members {
         for assumption in device.assumptions.iter().filter(|assumption| is_in_file(assumption, device)) {
-            let everywhere =
-                family.members.iter().all(|other| other.assumptions.iter().any(|it| same(it, assumption)));
-            let line =
-                if everywhere { line(assumption) } else { format!("{}: {}", device.name, line(assumption)) };
-            if !lines.contains(&line) {
-                lines.push(line);
+            let text = line(assumption);
+            let text = if everywhere.contains(&text) { text } else { format!("{}: {text}", device.name) };
+            if seen.insert(text.clone()) {
+                lines.push(text);
             }
         }
         for line in unsaid(device) {
@@ -91,10 +94,6 @@ fn assumptions(family: &Family) -> Vec<String> {
         }
     }
     lines
-}
-
-fn same(one: &Assumption, other: &Assumption) -> bool {
-    one.at == other.at && one.value == other.value && one.reason == other.reason
 }
 
 fn line(assumption: &Assumption) -> String {

@@ -12,6 +12,7 @@ use serde::Serialize;
 use super::{Emitter, Options};
 use crate::lint::Checked;
 use crate::model::Family;
+use crate::text::characters::json;
 
 #[cfg(feature = "schema")]
 pub use schema::schema;
@@ -60,7 +61,5 @@ impl Emitter for Json {
 fn document(family: &Family) -> String {
     let document = Document { format: FORMAT, version: VERSION, family };
     // Fails only for keys that are not text and for broken writers; the model has no maps, and a string takes all.
-    let mut text = serde_json::to_string_pretty(&document).unwrap_or_default();
-    text.push('\n');
-    text
+    json(&serde_json::to_string_pretty(&document).unwrap_or_default()).into_owned() + "\n"
 }

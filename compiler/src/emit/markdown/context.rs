@@ -7,7 +7,7 @@ mod value;
 
 pub(super) use said::{assumption_id, erratum_id};
 
-use super::inline::{code, link, small, text};
+use super::inline::{code, fragment, link, small, text};
 use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, Source};
 
 /// A device to be printed.
@@ -39,7 +39,7 @@ impl<'a> Context<'a> {
 
     /// The anchor of a word.
     pub(super) fn word_id(&self, id: &str) -> String {
-        format!("word-{id}")
+        fragment(format!("word-{id}"))
     }
 
     /// The anchor of an error code.

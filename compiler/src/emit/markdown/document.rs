@@ -10,7 +10,9 @@ use super::context::Context;
 use super::family;
 use super::inline::text;
 use super::table::sources_once;
+use crate::emit::escape::comment;
 use crate::model::{Device, Family};
+use crate::text::characters::line;
 
 const ALONE: &str = include_str!("templates/document.md.j2");
 const FAMILY: &str = include_str!("templates/family.md.j2");
@@ -23,7 +25,7 @@ pub(super) fn document(family: &Family, editorial: bool) -> String {
         .unwrap_or_else(|error| format!("devc could not print this: {error:#}\n"));
     let text = tidy(&format!(
         "<!-- Made by devc from the description of {}; not to be edited. -->\n{reference}",
-        family.id
+        comment(&line(&family.id))
     ));
     sources_once(&text)
 }

@@ -19,6 +19,7 @@ pub(crate) use inline::text as escaped;
 use super::{Emitter, Options};
 use crate::lint::Checked;
 use crate::model::Family;
+use crate::text::characters::harmless;
 
 /// The emitter of the reference.
 #[derive(Debug)]
@@ -34,6 +35,6 @@ impl Emitter for Markdown {
     }
 
     fn emit(&self, family: &Checked<Family>, options: &Options) -> String {
-        document::document(family, options.editorial)
+        harmless(&document::document(family, options.editorial)).into_owned()
     }
 }

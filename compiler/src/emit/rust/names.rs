@@ -1,6 +1,6 @@
 //! From ids to identifiers.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use proc_macro2::{Ident, Span};
 
@@ -30,31 +30,36 @@ pub(super) fn shout(id: &str) -> Ident {
     ident(&words(id, str::to_ascii_uppercase).join("_"))
 }
 
-/// Identifiers of one namespace, each only once.
+/// Identifiers of one namespace, each only once, with the first number that may still be free behind it.
 #[derive(Debug, Default)]
 pub(super) struct Names {
-    taken: BTreeSet<String>,
+    taken: BTreeMap<String, u32>,
 }
 
 impl Names {
     /// A namespace in which these are taken.
     pub(super) fn with(taken: &[&str]) -> Self {
-        Self { taken: taken.iter().map(|name| (*name).to_owned()).collect() }
+        Self { taken: taken.iter().map(|name| ((*name).to_owned(), 2)).collect() }
     }
 
     /// The identifier, or if it is taken, the identifier with the first free number.
     pub(super) fn claim(&mut self, wanted: &Ident) -> Ident {
-        let wanted = wanted.to_string();
-        let numbered = (2_u32..).map(|number| format!("{}_{number}", wanted.trim_start_matches("r#")));
-        let free = std::iter::once(wanted.clone()).chain(numbered).find(|name| !self.taken.contains(name));
-        let name = free.unwrap_or(wanted);
-        self.taken.insert(name.clone());
+        let mut name = wanted.to_string();
+        if let Some(first) = self.taken.get(&name).copied() {
+            let plain = name.trim_start_matches("r#");
+            let numbered = (first..).map(|number| (number, format!("{plain}_{number}")));
+            let mut numbered = numbered;
+            let free = numbered.find(|(_, name)| !self.taken.contains_key(name));
+            let (number, numbered) = free.unwrap_or((first, name.clone()));
+            self.taken.insert(std::mem::replace(&mut name, numbered), number.saturating_add(1));
+        }
+        self.taken.insert(name.clone(), 2);
         ident(name.trim_start_matches("r#"))
     }
 
     /// Whether the identifier is taken.
     pub(super) fn has(&self, name: &Ident) -> bool {
-        self.taken.contains(&name.to_string())
+        self.taken.contains_key(&name.to_string())
     }
 }
 

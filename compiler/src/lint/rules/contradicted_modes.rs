@@ -59,7 +59,7 @@ fn judge(device: &Device, object: &Object, entry: &Entry, report: &mut Report) {
     let message = message.replace("0X", "0x");
     let at = entry.origin.value("default");
     let mut diagnostic = Diagnostic::new(&RULE, message, at, label(says, holds));
-    for (mode, bit) in device.modes.iter().filter_map(|mode| Some((mode, mode.supported_bit?))) {
+    for (mode, bit) in device.modes.iter().filter_map(|mode| Some((mode, listed(mode)?))) {
         if says >> bit & 1 == 0 {
             diagnostic = diagnostic.label(mode.origin.header(), format!("mode {} is bit {bit}", mode.code));
         }
@@ -70,7 +70,12 @@ fn judge(device: &Device, object: &Object, entry: &Entry, report: &mut Report) {
 }
 
 fn bits(modes: &[Mode]) -> i128 {
-    modes.iter().filter_map(|mode| mode.supported_bit).fold(0, |bits, bit| bits | 1 << bit.min(31))
+    modes.iter().filter_map(listed).fold(0, |bits, bit| bits | 1 << bit)
+}
+
+/// The bit that announces a mode, if 0x6502 has it; another rule finds it if not.
+fn listed(mode: &Mode) -> Option<u8> {
+    mode.supported_bit.filter(|bit| *bit < 32)
 }
 
 fn label(says: i128, holds: i128) -> String {

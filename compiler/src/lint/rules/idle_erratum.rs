@@ -1,7 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::lint::report::Finding;
-use crate::model::{Device, Erratum};
+use crate::model::{Device, Erratum, Place};
 
 rule! {
     /// An erratum answers one finding of one rule. If the rule finds nothing there, the manual or the
@@ -48,16 +47,19 @@ rule! {
 /// Nothing by itself: which errata are idle shows only after all other rules have run.
 pub(super) fn check(_: &Device, _: &mut Report) {}
 
-/// The message about an erratum that answers none of the findings.
-pub(in crate::lint) fn judge(erratum: &Erratum, findings: &[Finding]) -> Diagnostic {
+/// The message about an erratum that answers none of the findings of its rule, which are at other places.
+pub(in crate::lint) fn judge(erratum: &Erratum, others: &[&Place]) -> Diagnostic {
     let Erratum { rule, at, .. } = erratum;
     let message = format!("`{rule}` finds nothing at {at}");
     let diagnostic = Diagnostic::new(&RULE, message, erratum.origin.value("at"), "nothing to answer here");
-    let same = findings.iter().filter(|finding| finding.diagnostic.rule.name == rule);
-    let places: Vec<String> = same.map(|finding| finding.at.to_string()).collect();
-    if places.is_empty() {
+    if others.is_empty() {
         diagnostic.help("take the erratum out if the fault is gone")
     } else {
-        diagnostic.help(format!("it finds something at {}", places.join(", ")))
+        let more = if others.len() > NAMED { " and elsewhere" } else { "" };
+        let others = others.iter().take(NAMED).map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        diagnostic.help(format!("it finds something at {others}{more}"))
     }
 }
+
+/// How many places a message names.
+const NAMED: usize = 20;

@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::{Device, Section};
@@ -34,11 +36,9 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    let entries = || device.objects.iter().flat_map(|object| &object.entries);
-    for unit in &device.units {
-        if entries().any(|entry| entry.unit.as_deref() == Some(&unit.id)) {
-            continue;
-        }
+    let entries = device.objects.iter().flat_map(|object| &object.entries);
+    let used: BTreeSet<&str> = entries.filter_map(|entry| entry.unit.as_deref()).collect();
+    for unit in device.units.iter().filter(|unit| !used.contains(&*unit.id)) {
         let message = format!("no value is in the unit `{}`", unit.id);
         let diagnostic = Diagnostic::new(&RULE, message, unit.origin.header(), "not used")
             .help(format!("write `unit = \"{}\"` where values have it, or take it out", unit.id));

@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::{Coordinates, Device, Place, Section};
@@ -36,20 +38,28 @@ rule! {
 
 pub(super) fn check(device: &Device, report: &mut Report) {
     let Some(coordinates) = &device.coordinates else { return };
+    let letters: BTreeSet<&str> = coordinates.groups.iter().map(|group| group.letter.as_str()).collect();
+    let known = (coordinates, &letters);
     for parameter in &device.parameters {
         let at = Section::Parameters.at(&parameter.id);
-        judge(coordinates, &parameter.id, at, parameter.origin.header(), report);
+        judge(known, &parameter.id, at, parameter.origin.header(), report);
     }
     for entry in device.objects.iter().flat_map(|object| &object.entries) {
         if let Some(parameter) = &entry.parameter {
-            judge(coordinates, parameter, entry.address.into(), entry.origin.value("parameter"), report);
+            judge(known, parameter, entry.address.into(), entry.origin.value("parameter"), report);
         }
     }
 }
 
-fn judge(coordinates: &Coordinates, parameter: &str, at: Place, place: Location, report: &mut Report) {
+fn judge(
+    (coordinates, letters): (&Coordinates, &BTreeSet<&str>),
+    parameter: &str,
+    at: Place,
+    place: Location,
+    report: &mut Report,
+) {
     let Some(letter) = group_of(parameter) else { return };
-    if coordinates.groups.iter().any(|group| group.letter == letter) {
+    if letters.contains(letter) {
         return;
     }
     let message = format!("{parameter} belongs to group {letter}, which is not listed");

@@ -27,6 +27,7 @@ mod deviating_mapping;
 mod deviating_pattern;
 mod deviating_type;
 mod differing_axis;
+mod empty_name;
 mod empty_reason;
 mod excluded_assignment;
 mod foreign_state;
@@ -58,8 +59,10 @@ mod oversized_pdo;
 mod overwide_entry;
 mod patternless_state;
 mod placeholder_identity;
+mod pointless_exclusion;
 mod renamed_entry;
 mod repeated_alias;
+mod repeated_assignment;
 mod repeated_error;
 mod repeated_mapping;
 mod reserved_index;
@@ -72,12 +75,12 @@ mod understated_axes;
 mod unexpected_mode_bit;
 mod unknown_homing_method;
 pub(super) mod unknown_rule;
+mod unlistable_mode;
 mod unmappable_entry;
 mod unmapped_mode;
 pub(super) mod unmended_erratum;
 mod unnumbered_group;
 mod unplaced_object;
-mod unprintable_character;
 mod unreachable_default;
 mod unreachable_transition;
 mod unrepresentable_value;
@@ -87,6 +90,7 @@ mod unsourced_fact;
 mod unsupported_configuration_mode;
 mod unsupported_pdo_mode;
 mod unsupported_transition;
+mod widthless_entry;
 mod withheld_bit;
 
 use super::Lint;
@@ -124,6 +128,7 @@ lints! {
     deviating_pattern,
     deviating_type,
     differing_axis,
+    empty_name,
     empty_reason,
     excluded_assignment,
     foreign_state,
@@ -155,8 +160,10 @@ lints! {
     overwide_entry,
     patternless_state,
     placeholder_identity,
+    pointless_exclusion,
     renamed_entry,
     repeated_alias,
+    repeated_assignment,
     repeated_error,
     repeated_mapping,
     reserved_index,
@@ -169,12 +176,12 @@ lints! {
     unexpected_mode_bit,
     unknown_homing_method,
     unknown_rule,
+    unlistable_mode,
     unmappable_entry,
     unmapped_mode,
     unmended_erratum,
     unnumbered_group,
     unplaced_object,
-    unprintable_character,
     unreachable_default,
     unreachable_transition,
     unrepresentable_value,
@@ -184,5 +191,6 @@ lints! {
     unsupported_configuration_mode,
     unsupported_pdo_mode,
     unsupported_transition,
+    widthless_entry,
     withheld_bit,
 }

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::{Device, Field, Place, Section};
@@ -58,14 +60,19 @@ fn beyond(fields: &[Field], name: &str, bits: u32, origin: &Origin, at: &Place, 
     }
 }
 
+/// Reports each field that shares a bit with one before it, with the first that has the lowest of these bits.
 fn pairs(fields: &[Field], origin: &Origin, bits: &str, at: &Place, report: &mut Report) {
-    for (i, first) in fields.iter().enumerate() {
-        for second in fields.iter().skip(i + 1).filter(|second| first.mask() & second.mask() != 0) {
-            let bit = (first.mask() & second.mask()).trailing_zeros();
+    let mut holders: BTreeMap<u32, &Field> = BTreeMap::new();
+    for second in fields {
+        let own = || (0..u64::BITS).filter(|bit| second.mask() >> bit & 1 != 0);
+        if let Some((bit, first)) = own().find_map(|bit| Some((bit, *holders.get(&bit)?))) {
             let message = format!("bit {bit} is `{}` and `{}`", first.name, second.name);
             let diagnostic = Diagnostic::new(&RULE, message, origin.value(&second.path(bits)), "again here")
                 .label(origin.value(&first.path(bits)), "first here");
             report.push(at.clone(), diagnostic);
         }
+        own().for_each(|bit| {
+            holders.entry(bit).or_insert(second);
+        });
     }
 }

@@ -4,7 +4,8 @@ use crate::model::{Device, Pattern, Section, State};
 
 rule! {
     /// A master tells the state of a drive from the bits of the statusword. If one word fits two patterns, it
-    /// cannot tell which state it is; generated code takes the first that fits.
+    /// cannot tell which state it is; generated code takes the first that fits. A state is reported once, with the first
+    /// that it overlaps.
     ///
     /// ## Fires
     /// ```toml
@@ -32,13 +33,10 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    for (i, first) in device.states.iter().enumerate() {
-        for second in device.states.iter().skip(i + 1) {
-            if let (Some(a), Some(b)) = (&first.pattern, &second.pattern)
-                && a.overlaps(b)
-            {
-                report.push(Section::States.at(&second.id), judge((first, a), (second, b)));
-            }
+    let states = || device.states.iter().filter_map(|state| Some((state, state.pattern.as_ref()?)));
+    for (i, second) in states().enumerate() {
+        if let Some(first) = states().take(i).find(|(_, pattern)| pattern.overlaps(second.1)) {
+            report.push(Section::States.at(&second.0.id), judge(first, second));
         }
     }
 }

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::{Device, ErrorCode};
@@ -23,15 +25,18 @@ rule! {
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
-    let mut ranges: Vec<&ErrorCode> = Vec::new();
-    for second in device.errors.iter().filter(|error| error.is_range()) {
-        let crosses = |first: &&&ErrorCode| {
-            first.code < second.code && second.code <= first.last && first.last < second.last
-        };
-        if let Some(first) = ranges.iter().find(crosses) {
-            report.push(second.place(), repeated(first, second));
+    let mut begun: BTreeMap<u16, &ErrorCode> = BTreeMap::new();
+    let ranges: Vec<&ErrorCode> = device.errors.iter().filter(|error| error.is_range()).collect();
+    // In the order of their codes: each can only cross those that begin before it and end in it.
+    for same in ranges.chunk_by(|a, b| a.code == b.code) {
+        for second in same {
+            if let Some((_, first)) = begun.range(second.code..second.last).next() {
+                report.push(second.place(), repeated(first, second));
+            }
         }
-        ranges.push(second);
+        same.iter().for_each(|range| {
+            begun.entry(range.last).or_insert(range);
+        });
     }
 }
 

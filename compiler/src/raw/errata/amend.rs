@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Step;
-use crate::source::{Layer, Member, Node, Table, Value};
+use crate::source::{Layer, Member, Members, Node, Table, Value};
 
 /// Lays `holds` over what stands at a path, in place of what `says` quotes there; without it, marks what is quoted.
 /// Who said so is `layer`.
@@ -57,7 +57,7 @@ fn member_amended(member: &mut Member, says: &Node, holds: Option<&Node>, layer:
 
 /// A table with what holds for the keys that are quoted of it: those for which nothing holds are gone.
 fn laid(table: &mut Table, says: &Node, holds: Option<&Node>, layer: Layer) {
-    let none = Table { at: table.at, members: Vec::new() };
+    let none = Table { at: table.at, members: Members::default() };
     let says = says.table().map_or(&none, |says| says);
     let Some(held) = holds.and_then(Node::table) else {
         for quoted in &says.members {

@@ -16,7 +16,7 @@ pub(super) fn apart(tree: &mut Table, mut path: Vec<Step>, place: &Place) -> Vec
     };
     let Some(table) = path.get(..=entries).and_then(|path| table_at(tree, path)) else { return path };
     let Some(at) = table.position(key) else { return path };
-    let all = table.members.remove(at);
+    let Some(all) = table.members.remove(at) else { return path };
     let (before, after) = (subindex.checked_sub(1), subindex.checked_add(1));
     let parts = [
         before.map(|before| (*range.start(), before)),

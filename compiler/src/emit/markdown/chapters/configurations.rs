@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::process_data::layout;
 use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::inline::{code, list, text};
+use crate::emit::markdown::inline::{code, fragment, list, text};
 use crate::emit::markdown::number::{duration, width};
 use crate::emit::markdown::table::Table;
 use crate::model::{Configuration, Index, Pdo};
@@ -68,7 +68,7 @@ fn configuration(context: &Context<'_>, configuration: &Configuration) -> Config
         origin,
     } = configuration;
     ConfigurationView {
-        anchor: format!("configuration-{id}"),
+        anchor: fragment(format!("configuration-{id}")),
         name: text(name),
         about: context.paragraphs(about.as_deref()),
         facts: facts(context, configuration),

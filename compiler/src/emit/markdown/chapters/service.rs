@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::inline::{code, sentence, text};
+use crate::emit::markdown::inline::{code, fragment, sentence, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{MasterSetting, Parameter, Procedure, Step, Value, ValueRange};
 
@@ -107,7 +107,7 @@ fn range_meaning(context: &Context<'_>, range: &ValueRange) -> String {
 
 fn procedure_view(context: &Context<'_>, procedure: &Procedure) -> ProcedureView {
     ProcedureView {
-        anchor: format!("procedure-{}", procedure.id),
+        anchor: fragment(format!("procedure-{}", procedure.id)),
         name: text(&procedure.name),
         about: context.paragraphs(procedure.about.as_deref()),
         steps: procedure.steps.iter().map(|one| step(context, one)).collect(),

@@ -1,6 +1,7 @@
 //! What is written once for all axes: the first axis stands for the others.
 
 use super::Context;
+use crate::emit::markdown::inline::text;
 use crate::model::{Index, Object, Pdo, Repeated};
 
 impl<'a> Context<'a> {
@@ -26,7 +27,7 @@ impl<'a> Context<'a> {
     /// Axes by name: `X`, `Y to W`, `X, Z`.
     pub(in crate::emit::markdown) fn axis_range(&self, numbers: &[u8]) -> String {
         let name =
-            |number: &u8| self.device.axes.get(usize::from(*number)).map_or("?", |axis| axis.name.as_str());
+            |number: &u8| text(self.device.axes.get(usize::from(*number)).map_or("?", |axis| &axis.name));
         let row = numbers
             .iter()
             .zip(numbers.iter().skip(1))

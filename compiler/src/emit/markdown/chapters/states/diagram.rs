@@ -62,7 +62,8 @@ fn node(id: &str) -> String {
     id.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
 }
 
-/// A name without what means something to Mermaid.
+/// A name on one line, without what means something to Mermaid.
 fn plain(name: &str) -> String {
-    name.replace(['"', ':', ';', '<', '>', '#', '{', '}'], " ")
+    let marked = |c: char| c.is_whitespace() || "\":;<>#{}".contains(c);
+    name.replace(marked, " ")
 }
