@@ -2,6 +2,7 @@
 
 use super::Refusal;
 use super::read::Head;
+use crate::text::characters::harmless;
 
 /// What a user says of the device.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -82,10 +83,11 @@ fn named<'h>(heads: &[(usize, &'h Head)], wanted: &str) -> Vec<(usize, &'h Head)
 fn line(place: usize, head: &Head) -> String {
     let code = head.product_code.unwrap_or(0);
     let named = if head.name == head.type_name { String::new() } else { format!(", {}", head.name) };
-    format!(
+    let line = format!(
         "{}: {}{named}, product 0x{code:08X}, revision 0x{:08X}",
         place + 1,
         head.type_name,
         head.revision
-    )
+    );
+    harmless(&line).into_owned()
 }

@@ -21,6 +21,7 @@ use self::read::Element;
 use self::recognise::Draft;
 use crate::diagnostic::Level;
 use crate::source::Memory;
+use crate::text::characters::hazard;
 
 /// What came of a file.
 #[derive(Debug)]
@@ -65,6 +66,10 @@ pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Ref
     let mut members = members
         .collect::<Result<Vec<(String, String, Draft)>, _>>()
         .map_err(|(at, why)| Refusal { place: Some(place(&text, at)), why, choices: Vec::new() })?;
+    let odd = text.char_indices().find(|(_, c)| *c != '\r' && hazard(*c).is_some());
+    if let Some((at, what)) = odd.and_then(|(at, c)| Some((at, hazard(c)?))) {
+        report.guess(read::At(at), what, "descriptions have no place for it, and � stands there instead");
+    }
     report.finish(&text);
     let alone = members.pop_if(|_| chosen.len() == 1).map(|(_, name, draft)| (name, draft));
     let family = || recognise::family(members).map(|draft| (draft.name(), draft));

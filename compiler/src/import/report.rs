@@ -1,9 +1,9 @@
 //! What an import kept, lost and guessed, each with its place in the file.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 use super::read::{At, Unread};
+use crate::text::characters;
 
 /// What came of what a file says.
 #[derive(Debug, Default)]
@@ -118,8 +118,10 @@ impl Report {
                 1 => format!(", `{}`", first.says),
                 _ => format!(", {times} times"),
             };
-            // Writing to a String cannot fail.
-            let _ = writeln!(text, "  {}: {what}{times}, at {line}:{column}: {why}", kind.name());
+            let said = format!("{}: {what}{times}, at {line}:{column}: {why}", kind.name());
+            text.push_str("  ");
+            text.push_str(&characters::line(&said));
+            text.push('\n');
         }
         text
     }
@@ -146,7 +148,7 @@ impl Report {
             "lost": lost,
             "notes": notes.collect::<Vec<_>>(),
         });
-        format!("{report:#}\n")
+        characters::json(&format!("{report:#}\n")).into_owned()
     }
 }
 

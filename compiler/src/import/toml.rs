@@ -1,6 +1,6 @@
 //! Values and tables of TOML as a person would write them.
 
-use std::fmt::Write;
+use crate::text::characters::harmless;
 
 /// A value.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,16 +65,12 @@ pub(super) fn key(name: &str) -> String {
 fn quoted(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 2);
     out.push('"');
-    for char in text.chars() {
+    for char in harmless(text).chars() {
         match char {
             '"' => out.push_str("\\\""),
             '\\' => out.push_str("\\\\"),
             '\n' => out.push_str("\\n"),
             '\t' => out.push_str("\\t"),
-            char if char.is_control() => {
-                // Writing to a String cannot fail.
-                let _ = write!(out, "\\u{:04X}", u32::from(char));
-            }
             char => out.push(char),
         }
     }

@@ -32,7 +32,7 @@ fn an_import_is_a_description_that_devc_checks_and_builds() {
     assert_eq!(run.code, Some(0), "{}", run.err);
     assert_eq!(desk.list("devices/drive-1"), ["device.toml"]);
     assert!(desk.read("devices/drive-1/device.toml").contains("revision     = 0x00000002"));
-    assert!(run.err.contains("lost: Device/URL, `http://example.org`, at 2:1"), "{}", run.err);
+    assert!(run.err.contains("lost: Device/URL, `http://example.org`, at 3:1"), "{}", run.err);
     assert_eq!(desk.devc(&["check", "devices/drive-1"]).code, Some(0));
     assert_eq!(desk.devc(&["build", "devices/drive-1"]).code, Some(0));
 }
