@@ -59,7 +59,7 @@ impl Import {
             plain::read(&self.file, limit).map_err(|error| Failure::at("read", &self.file, &error))?;
         let name = self.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let choice = Choice { device: self.device.clone(), revision: self.revision };
-        let imported = import(&bytes, &name, &choice).map_err(|refusal| self.refused(&refusal))?;
+        let imported = import(&bytes, &name, &choice).map_err(|refusal| self.refused(&refusal, report))?;
         let out = self.out.clone().unwrap_or_else(|| Path::new("devices").join(&imported.id));
         let file = self.file.display().to_string();
         let losses = self.report.as_ref().map(|path| (path, imported.report.json(&file)));
@@ -72,15 +72,15 @@ impl Import {
         Ok(Outcome::Clean)
     }
 
-    fn refused(&self, refusal: &Refusal) -> Failure {
+    fn refused(&self, refusal: &Refusal, report: &Report) -> Failure {
         let place = refusal.place.map(|(line, column)| format!(":{line}:{column}")).unwrap_or_default();
         let failure =
             Failure::new(format!("cannot import `{}{place}`: {}", self.file.display(), refusal.why));
         if refusal.choices.is_empty() {
             return failure;
         }
-        failure
-            .help(format!("choose with `--device` and `--revision`:\n    {}", refusal.choices.join("\n    ")))
+        refusal.choices.iter().for_each(|choice| report.message(choice));
+        failure.help("choose one of these with `--device` and `--revision`")
     }
 
     /// Writes all files, or none if one of them is there already.
