@@ -11,6 +11,8 @@ pub mod diff;
 pub mod emit;
 #[cfg(feature = "cli")]
 pub mod explain;
+#[cfg(feature = "import")]
+pub mod import;
 pub mod lint;
 pub mod model;
 mod profiles;

@@ -11,6 +11,7 @@ mod existing;
 mod explain;
 mod fix;
 mod git;
+mod import;
 mod levels;
 mod limit;
 mod names;
@@ -51,6 +52,7 @@ enum Command {
     Check(check::Check),
     Diff(diff::Diff),
     Explain(explain::Explain),
+    Import(import::Import),
     New(new::New),
     Rules(rules::Rules),
     Schema(schema::Schema),
@@ -64,7 +66,8 @@ Examples:
   devc check devices/c887         only say what is wrong with it
   devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
-  devc explain 0x6064             what the profiles say of an index, a code or a name";
+  devc explain 0x6064             what the profiles say of an index, a code or a name
+  devc import drive.xml           make a description of an ESI file";
 
 const LONG_EXAMPLES: &str = "\
 Examples:
@@ -82,6 +85,9 @@ Examples:
   devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name
+  devc import drive.xml           make a description of an ESI file
+  devc import io.xml --device EL1008 --out devices/el1008
+                                  of one device of several, into a folder
 
 Exit codes:
   0  all is well; there may be warnings
@@ -97,6 +103,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(check) => check.run(&report),
         Command::Diff(diff) => diff.run(&report),
         Command::Explain(explain) => explain.run(&report),
+        Command::Import(import) => import.run(&report),
         Command::New(new) => new.run(&report),
         Command::Rules(rules) => rules.run(&report),
         Command::Schema(schema) => schema.run(&report),

@@ -9,6 +9,7 @@ mod explain;
 mod findings;
 mod fixes;
 mod foreign;
+mod imports;
 #[cfg(unix)]
 mod interrupted;
 mod levels;

@@ -1,0 +1,112 @@
+//! `devc import`
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use devc::import::{Choice, Refusal, import};
+use devc::source::{MAX_SIZE, plain};
+
+use super::draft::Draft;
+use super::existing;
+use super::outcome::{Failure, Outcome};
+use super::report::Report;
+use super::workplace::Workplace;
+
+/// Make a description of an ESI file.
+///
+/// What the description cannot say is reported on the standard error, and what had to be guessed, each with its place in
+/// the file.
+#[derive(Debug, Args)]
+pub(super) struct Import {
+    /// The ESI file.
+    #[arg(value_name = "FILE.xml")]
+    file: PathBuf,
+
+    /// The device, where the file has several: its number in the file, its type or its name.
+    #[arg(long, value_name = "N|NAME")]
+    device: Option<String>,
+
+    /// The revision of the device [default: the newest].
+    #[arg(long, value_name = "R", value_parser = revision)]
+    revision: Option<u32>,
+
+    /// The folder of the description [default: a folder in `devices` with the name of the device].
+    #[arg(long, short, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// Write over the files of an earlier import.
+    #[arg(long)]
+    overwrite: bool,
+
+    /// Write what was kept, lost and guessed to a file, as JSON.
+    #[arg(long, value_name = "FILE.json")]
+    report: Option<PathBuf>,
+}
+
+/// A revision in decimal or, after `0x` or `#x`, in hexadecimal.
+fn revision(text: &str) -> Result<u32, String> {
+    let hex = text.strip_prefix("0x").or_else(|| text.strip_prefix("#x"));
+    let number = hex.map_or_else(|| text.parse().ok(), |digits| u32::from_str_radix(digits, 16).ok());
+    number.ok_or_else(|| "expected a number such as 0x00010002".to_owned())
+}
+
+impl Import {
+    pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
+        let limit = u64::try_from(MAX_SIZE).unwrap_or(u64::MAX).saturating_add(1);
+        let bytes =
+            plain::read(&self.file, limit).map_err(|error| Failure::at("read", &self.file, &error))?;
+        let name = self.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let choice = Choice { device: self.device.clone(), revision: self.revision };
+        let imported = import(&bytes, &name, &choice).map_err(|refusal| self.refused(&refusal, report))?;
+        let out = self.out.clone().unwrap_or_else(|| Path::new("devices").join(&imported.id));
+        let file = self.file.display().to_string();
+        let losses = self.report.as_ref().map(|path| (path, imported.report.json(&file)));
+        let files = imported.files.iter().map(|(name, text)| (out.join(name), text.as_str()));
+        let losses = losses.iter().map(|(path, text)| ((*path).clone(), text.as_str()));
+        self.write(&files.chain(losses).collect::<Vec<_>>(), report)?;
+        report.message(imported.report.text(&file).trim_end());
+        let names: Vec<&str> = imported.files.keys().map(String::as_str).collect();
+        report.line(&format!("{}: wrote {}", out.display(), names.join(", ")));
+        Ok(Outcome::Clean)
+    }
+
+    fn refused(&self, refusal: &Refusal, report: &Report) -> Failure {
+        let place = refusal.place.map(|(line, column)| format!(":{line}:{column}")).unwrap_or_default();
+        let failure =
+            Failure::new(format!("cannot import `{}{place}`: {}", self.file.display(), refusal.why));
+        if refusal.choices.is_empty() {
+            return failure;
+        }
+        refusal.choices.iter().for_each(|choice| report.message(choice));
+        failure.help("choose one of these with `--device` and `--revision`")
+    }
+
+    /// Writes all files, or none if one of them is there already.
+    fn write(&self, files: &[(PathBuf, &str)], report: &Report) -> Result<(), Failure> {
+        let mut drafts = Vec::new();
+        // Each folder is entered once: who is in it keeps others out.
+        let mut places: BTreeMap<PathBuf, Workplace> = BTreeMap::new();
+        for (path, text) in files {
+            if existing::read(path, 0)?.is_some() {
+                self.may_replace(path)?;
+            }
+            let folder =
+                path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let made = fs::create_dir_all(folder).and_then(|()| fs::canonicalize(folder));
+            let folder = made.map_err(|error| Failure::at("make the folder", folder, &error))?;
+            let place = places.entry(folder).or_insert_with_key(|folder| Workplace::enter(folder, report));
+            drafts.push(Draft::write(place, path, text)?);
+        }
+        drafts.into_iter().try_for_each(Draft::publish)
+    }
+
+    fn may_replace(&self, path: &Path) -> Result<(), Failure> {
+        if self.overwrite {
+            return existing::be_writable(path);
+        }
+        let failure = Failure::new(format!("`{}` is there already", path.display()));
+        Err(failure.help("give another folder by `--out`, or say `--overwrite`"))
+    }
+}

@@ -1,0 +1,116 @@
+//! A device: identity, mailbox, clocks, EEPROM.
+
+use super::element::{At, Element};
+use super::esi::{Device, Eeprom, Head, InitCmd, Mailbox, OpMode, Signal};
+use super::number::{bytes, number, truth};
+use super::{dictionary, process_data, words};
+
+pub(super) fn head(device: &Element<'_>) -> Head {
+    let kind = device.child("Type");
+    let code = |name| kind.and_then(|kind| kind.attribute_as(name, number));
+    let type_name = kind.map(|kind| kind.text().to_owned()).unwrap_or_default();
+    let name = words::name(device, "Name").unwrap_or_else(|| type_name.clone());
+    Head {
+        at: device.at(),
+        product_code: code("ProductCode"),
+        revision: code("RevisionNo").unwrap_or(0),
+        type_name,
+        name,
+    }
+}
+
+pub(super) fn device(device: &Element<'_>) -> Device {
+    let profiles: Vec<&Element<'_>> = device.all("Profile").collect();
+    let profile = profiles.iter().find_map(|profile| profile_number(profile));
+    let add_info = profiles
+        .iter()
+        .find_map(|profile| add_info(profile).or_else(|| add_info(profile.child("ChannelInfo")?)));
+    for channel in profiles.iter().flat_map(|profile| profile.all("ChannelInfo")) {
+        // A channel says once more what its profile says.
+        channel.child_as("ProfileNo", |text| number(text).filter(|number| Some(*number) == profile));
+        channel
+            .child_as("AddInfo", |text| number(text).filter(|info| add_info.map(|it| it.0) == Some(*info)));
+    }
+    let dictionary = profiles.iter().find_map(|profile| profile.child("Dictionary"));
+    let (objects, excess) = dictionary.map(dictionary::objects).unwrap_or_default();
+    Device {
+        head: head(device),
+        group: device.child("GroupType").map(|group| group.text().to_owned()),
+        physics: device.attribute("Physics").map(str::to_owned),
+        profile,
+        add_info,
+        fmmus: device.all("Fmmu").map(|it| (it.text().to_owned(), it.at())).collect(),
+        sync_managers: device.all("Sm").map(process_data::sm).collect(),
+        rx_pdos: device.all("RxPdo").filter_map(process_data::pdo).collect(),
+        tx_pdos: device.all("TxPdo").filter_map(process_data::pdo).collect(),
+        mailbox: device.child("Mailbox").map(mailbox),
+        op_modes: device.child("Dc").into_iter().flat_map(|dc| dc.all("OpMode")).map(op_mode).collect(),
+        eeprom: device.child("Eeprom").map(eeprom),
+        objects,
+        excess,
+    }
+}
+
+fn add_info(parent: &Element<'_>) -> Option<(u32, At)> {
+    Some((parent.child_as("AddInfo", number)?, parent.child("AddInfo")?.at()))
+}
+
+/// The number of the profile, which may stand in its channel.
+fn profile_number(profile: &Element<'_>) -> Option<u32> {
+    profile
+        .child_as("ProfileNo", number)
+        .or_else(|| profile.child("ChannelInfo")?.child_as("ProfileNo", number))
+}
+
+fn mailbox(element: &Element<'_>) -> Mailbox {
+    element.attribute_as("DataLinkLayer", |text| truth(text).filter(|on| *on));
+    let known = ["CoE", "EoE", "FoE", "SoE", "VoE"];
+    let protocols = element.children().iter().map(Element::name).filter(|name| known.contains(name));
+    let protocols: Vec<String> = protocols.map(str::to_owned).collect();
+    protocols.iter().for_each(|name| _ = element.child(name));
+    let coe = element.child("CoE");
+    let flag = |name| coe.and_then(|coe| coe.attribute_as(name, truth)).unwrap_or(false);
+    let commands = coe.into_iter().flat_map(|coe| coe.all("InitCmd")).filter_map(init_cmd).collect();
+    Mailbox {
+        at: element.at(),
+        protocols,
+        sdo_info: flag("SdoInfo"),
+        pdo_assign: flag("PdoAssign"),
+        pdo_config: flag("PdoConfig"),
+        complete_access: flag("CompleteAccess"),
+        segmented: flag("SegmentedSdo"),
+        commands,
+    }
+}
+
+fn init_cmd(element: &Element<'_>) -> Option<InitCmd> {
+    let index = element.child_as("Index", number)?;
+    let subindex = element.child_as("SubIndex", number).unwrap_or(0);
+    let data = element.child_as("Data", bytes)?;
+    let transitions = element.all("Transition").map(|it| it.text().to_owned()).collect();
+    Some(InitCmd { at: element.at(), transitions, index, subindex, data, facts: element.facts() })
+}
+
+fn op_mode(element: &Element<'_>) -> OpMode {
+    OpMode {
+        at: element.at(),
+        name: words::name(element, "Name").unwrap_or_default(),
+        description: words::name(element, "Desc"),
+        assign_activate: element.child_as("AssignActivate", number).unwrap_or(0),
+        sync0: signal(element, "CycleTimeSync0", "ShiftTimeSync0"),
+        sync1: signal(element, "CycleTimeSync1", "ShiftTimeSync1"),
+    }
+}
+
+fn signal(mode: &Element<'_>, cycle: &str, shift: &str) -> Option<Signal> {
+    let period = mode.child_as(cycle, number);
+    let delay = mode.child_as(shift, number);
+    let element = mode.children().iter().find(|child| [cycle, shift].contains(&child.name()))?;
+    let factor = mode.child(cycle).and_then(|cycle| cycle.attribute_as("Factor", number));
+    Some(Signal { at: element.at(), cycle: period.unwrap_or(0), factor, shift: delay.unwrap_or(0) })
+}
+
+fn eeprom(element: &Element<'_>) -> Eeprom {
+    let config_data = element.child_as("ConfigData", bytes).unwrap_or_default();
+    Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data }
+}

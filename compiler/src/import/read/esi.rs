@@ -1,0 +1,200 @@
+//! What an ESI file says, as plain structs: each thing with its place in the file.
+
+use std::rc::Rc;
+
+use super::element::At;
+
+/// A file.
+#[derive(Debug, Default)]
+pub(crate) struct Esi {
+    pub(crate) vendor_id: Option<u32>,
+    pub(crate) vendor_name: Option<String>,
+}
+
+/// What tells a device from the others of its file.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Head {
+    pub(crate) at: At,
+    pub(crate) type_name: String,
+    pub(crate) product_code: Option<u32>,
+    pub(crate) revision: u32,
+    pub(crate) name: String,
+}
+
+/// A device.
+#[derive(Debug, Default)]
+pub(crate) struct Device {
+    pub(crate) head: Head,
+    pub(crate) group: Option<String>,
+    pub(crate) physics: Option<String>,
+    pub(crate) profile: Option<u32>,
+    pub(crate) add_info: Option<(u32, At)>,
+    pub(crate) fmmus: Vec<(String, At)>,
+    pub(crate) sync_managers: Vec<Sm>,
+    pub(crate) rx_pdos: Vec<Pdo>,
+    pub(crate) tx_pdos: Vec<Pdo>,
+    pub(crate) mailbox: Option<Mailbox>,
+    pub(crate) op_modes: Vec<OpMode>,
+    pub(crate) eeprom: Option<Eeprom>,
+    pub(crate) objects: Vec<Object>,
+    /// The first object that was one too many.
+    pub(crate) excess: Option<At>,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Sm {
+    pub(crate) at: At,
+    pub(crate) name: String,
+    pub(crate) address: Option<u16>,
+    pub(crate) default_size: Option<u16>,
+    pub(crate) max_size: Option<u16>,
+    pub(crate) control: Option<u8>,
+    pub(crate) enable: Option<bool>,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Pdo {
+    pub(crate) at: At,
+    pub(crate) index: u16,
+    pub(crate) name: Option<String>,
+    pub(crate) fixed: bool,
+    pub(crate) mandatory: bool,
+    pub(crate) sm: Option<u8>,
+    pub(crate) excludes: Vec<(u16, At)>,
+    pub(crate) entries: Vec<PdoEntry>,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct PdoEntry {
+    pub(crate) at: At,
+    /// 0 for padding.
+    pub(crate) index: u16,
+    pub(crate) subindex: u8,
+    pub(crate) bits: u16,
+    pub(crate) name: Option<String>,
+    pub(crate) data_type: Option<String>,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Mailbox {
+    pub(crate) at: At,
+    /// The protocols by the names of their elements.
+    pub(crate) protocols: Vec<String>,
+    pub(crate) sdo_info: bool,
+    pub(crate) pdo_assign: bool,
+    pub(crate) pdo_config: bool,
+    pub(crate) complete_access: bool,
+    pub(crate) segmented: bool,
+    pub(crate) commands: Vec<InitCmd>,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct InitCmd {
+    pub(crate) at: At,
+    pub(crate) transitions: Vec<String>,
+    pub(crate) index: u16,
+    pub(crate) subindex: u8,
+    pub(crate) data: Vec<u8>,
+    /// How many facts it is.
+    pub(crate) facts: usize,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct OpMode {
+    pub(crate) at: At,
+    pub(crate) name: String,
+    pub(crate) description: Option<String>,
+    pub(crate) assign_activate: u16,
+    pub(crate) sync0: Option<Signal>,
+    pub(crate) sync1: Option<Signal>,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Signal {
+    pub(crate) at: At,
+    /// The period in nanoseconds; 0 leaves it to the factor.
+    pub(crate) cycle: i64,
+    pub(crate) factor: Option<i32>,
+    pub(crate) shift: i64,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Eeprom {
+    pub(crate) at: At,
+    pub(crate) size: Option<u32>,
+    pub(crate) config_data: Vec<u8>,
+}
+
+/// An object of the dictionary with its type resolved into values.
+#[derive(Debug, Default)]
+pub(crate) struct Object {
+    pub(crate) at: At,
+    pub(crate) index: u16,
+    pub(crate) name: Option<String>,
+    pub(crate) comment: Option<String>,
+    pub(crate) flags: Flags,
+    pub(crate) shape: Shape,
+    pub(crate) values: Vec<Value>,
+}
+
+/// How the type of an object is declared.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shape {
+    #[default]
+    Var,
+    Array,
+    Record,
+}
+
+/// A value that an index and a subindex name.
+#[derive(Debug, Default)]
+pub(crate) struct Value {
+    pub(crate) at: At,
+    pub(crate) subindex: u8,
+    pub(crate) name: Option<String>,
+    /// What tools are to show instead of the name.
+    pub(crate) display_name: Option<String>,
+    pub(crate) comment: Option<String>,
+    /// The basic type at the bottom of its type.
+    pub(crate) type_name: String,
+    pub(crate) bits: Option<u32>,
+    pub(crate) choices: Rc<[Choice]>,
+    pub(crate) flags: Flags,
+    pub(crate) default: Option<Datum>,
+    pub(crate) min: Option<Datum>,
+    pub(crate) max: Option<Datum>,
+}
+
+#[derive(Debug, Default, Clone, PartialEq)]
+pub(crate) struct Choice {
+    pub(crate) value: i64,
+    pub(crate) name: String,
+    pub(crate) comment: Option<String>,
+}
+
+/// Who may do what with a value.
+#[derive(Debug, Default, Clone, PartialEq, Eq)]
+pub(crate) struct Flags {
+    pub(crate) access: Option<String>,
+    pub(crate) write_restrictions: Option<String>,
+    pub(crate) category: Option<String>,
+    pub(crate) pdo_mapping: Option<String>,
+}
+
+/// A value as it is written.
+#[derive(Debug, Clone)]
+pub(crate) struct Datum {
+    pub(crate) at: At,
+    pub(crate) written: Written,
+}
+
+/// The three ways to write a value.
+#[derive(Debug, Clone)]
+pub(crate) enum Written {
+    /// Little-endian bytes.
+    Data(Vec<u8>),
+    /// A number.
+    Number(String),
+    /// Text.
+    Text(String),
+}

@@ -1,0 +1,43 @@
+//! Sync managers and PDOs.
+
+use super::element::Element;
+use super::esi::{Pdo, PdoEntry, Sm};
+use super::number::{number, truth};
+use super::words;
+
+pub(super) fn sm(element: &Element<'_>) -> Sm {
+    Sm {
+        at: element.at(),
+        name: element.text().to_owned(),
+        address: element.attribute_as("StartAddress", number),
+        default_size: element.attribute_as("DefaultSize", number),
+        max_size: element.attribute_as("MaxSize", number),
+        control: element.attribute_as("ControlByte", number),
+        enable: element
+            .attribute_as("Enable", |text| truth(text).or(number::<u8>(text).map(|it| it & 1 == 1))),
+    }
+}
+
+pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
+    Some(Pdo {
+        at: element.at(),
+        index: element.child_as("Index", number)?,
+        name: words::name(element, "Name"),
+        fixed: element.attribute_as("Fixed", truth).unwrap_or(false),
+        mandatory: element.attribute_as("Mandatory", truth).unwrap_or(false),
+        sm: element.attribute_as("Sm", number),
+        excludes: element.all("Exclude").filter_map(|it| Some((number(it.text())?, it.at()))).collect(),
+        entries: element.all("Entry").filter_map(entry).collect(),
+    })
+}
+
+fn entry(element: &Element<'_>) -> Option<PdoEntry> {
+    Some(PdoEntry {
+        at: element.at(),
+        index: element.child_as("Index", number).unwrap_or(0),
+        subindex: element.child_as("SubIndex", number).unwrap_or(0),
+        bits: element.child_as("BitLen", number)?,
+        name: words::name(element, "Name"),
+        data_type: element.child("DataType").map(|it| it.text().to_owned()).filter(|it| !it.is_empty()),
+    })
+}

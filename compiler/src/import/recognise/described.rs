@@ -1,0 +1,85 @@
+//! An object as a description would have it, before a profile is asked.
+
+use super::super::read::{At, Object, Shape};
+use super::super::report::Report;
+use super::super::toml::{Keys, Toml, get};
+use super::value::{Said, said};
+use super::words;
+use crate::model::Kind;
+
+/// An object in the words of a description.
+#[derive(Debug)]
+pub(super) struct Described {
+    pub(super) at: At,
+    pub(super) index: u16,
+    pub(super) name: Option<String>,
+    pub(super) kind: Kind,
+    pub(super) about: Option<String>,
+    pub(super) category: Option<Toml>,
+    /// Its values by subindex.
+    pub(super) values: Vec<Said>,
+}
+
+/// What an object says; none if nothing of it can be said, which is reported.
+pub(super) fn described(object: &Object, report: &mut Report) -> Option<Described> {
+    let kind = match object.shape {
+        Shape::Var => Kind::Var,
+        Shape::Array => Kind::Array,
+        Shape::Record => Kind::Record,
+    };
+    let mut values: Vec<Said> = Vec::new();
+    for value in &object.values {
+        let at = place(object.index, value.subindex, kind);
+        if values.iter().any(|known| known.subindex == value.subindex) {
+            report.lose(value.at, 4, format!("a second entry {at}"), "there is one of this subindex already");
+            continue;
+        }
+        values.extend(said(value, &at, kind == Kind::Var, report));
+    }
+    values.sort_by_key(|value| value.subindex);
+    // What has nothing but subindex 0 is a single value, however its type is declared.
+    let kind = if matches!(values.as_slice(), [only] if only.subindex == 0) { Kind::Var } else { kind };
+    let nothing = values.is_empty();
+    (!nothing).then(|| Described {
+        at: object.at,
+        index: object.index,
+        name: object.name.clone(),
+        kind,
+        about: object.comment.clone(),
+        category: object
+            .flags
+            .category
+            .as_deref()
+            .and_then(words::category_of)
+            .map(|it| Toml::text(words::category(it))),
+        values,
+    })
+}
+
+fn place(index: u16, subindex: u8, kind: Kind) -> String {
+    if kind == Kind::Var { format!("0x{index:04X}") } else { format!("0x{index:04X}:{subindex:02X}") }
+}
+
+/// The keys that say something else than what is known.
+pub(super) fn difference(said: &Keys, known: &Keys) -> Keys {
+    let differs = |(name, value): &&(String, Toml)| match get(known, name) {
+        Some(known) => known != value && !same_text(said, known, value),
+        None => !is_usual(name, value),
+    };
+    said.iter().filter(differs).cloned().collect()
+}
+
+/// A text whose length follows from its default.
+fn same_text(said: &Keys, known: &Toml, value: &Toml) -> bool {
+    let (Toml::Text(known), Toml::Text(value), Some(Toml::Text(text))) = (known, value, get(said, "default"))
+    else {
+        return false;
+    };
+    known == "STRING" && *value == format!("STRING({})", text.len())
+}
+
+/// What a key means that is left out.
+fn is_usual(name: &str, value: &Toml) -> bool {
+    matches!((name, value), ("pdo", Toml::Text(word)) if word == "none")
+        || matches!((name, value), ("category", Toml::Text(word)) if word == "optional")
+}

@@ -1,0 +1,111 @@
+//! What the device is: names, identity, EEPROM.
+
+use super::super::read::{Device, Esi};
+use super::super::report::Report;
+use super::super::toml::{Keys, Toml, set};
+use super::described::Described;
+use super::draft::Block;
+use crate::model::Eeprom;
+
+/// `[device]`, `[identity]` and `[eeprom]`.
+pub(super) fn blocks(esi: &Esi, device: &Device, objects: &[Described], report: &mut Report) -> Vec<Block> {
+    let mut blocks = vec![self::device(esi, device, report), identity(esi, device, report)];
+    add_info(device, objects, report);
+    if let Some(eeprom) = &device.eeprom {
+        let mut keys = Keys::new();
+        if let Some(size) =
+            eeprom.size.filter(|size| *size != Eeprom::USUAL_SIZE || eeprom.config_data.is_empty())
+        {
+            set(&mut keys, "size", Toml::Integer(size.into()));
+        }
+        if !eeprom.config_data.is_empty() {
+            set(&mut keys, "config-data", Toml::text(pairs(&eeprom.config_data)));
+        } else {
+            report.guess(
+                eeprom.at,
+                "Eeprom",
+                "without ConfigData an ESI made of the description has no Eeprom",
+            );
+        }
+        blocks.push(Block::new("eeprom", None, keys));
+    }
+    blocks
+}
+
+/// Bytes in groups of two.
+fn pairs(bytes: &[u8]) -> String {
+    let words = bytes.chunks(2).map(|pair| pair.iter().map(|byte| format!("{byte:02X}")).collect::<String>());
+    words.collect::<Vec<_>>().join(" ")
+}
+
+fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
+    let mut keys = Keys::new();
+    let mut block = Block::new("device", None, Keys::new());
+    let head = &device.head;
+    let name = if head.name.is_empty() { "Device".to_owned() } else { head.name.clone() };
+    let vendor = esi.vendor_name.clone().filter(|name| !name.is_empty()).unwrap_or_else(|| {
+        let name = format!("Vendor 0x{:08X}", esi.vendor_id.unwrap_or(0));
+        report.guess(head.at, "the vendor's name", format!("the file has none; `{name}` is taken"));
+        block.remarks.push("the ESI does not name its vendor".to_owned());
+        name
+    });
+    set(&mut keys, "name", Toml::text(&name));
+    set(&mut keys, "vendor", Toml::text(vendor));
+    if let Some(group) = device.group.as_ref().filter(|group| !group.is_empty()) {
+        set(&mut keys, "group", Toml::text(group));
+    }
+    if !head.type_name.is_empty() && head.type_name != name.replace(' ', "-") {
+        set(&mut keys, "type-name", Toml::text(&head.type_name));
+    }
+    if let Some(profile) = device.profile {
+        set(&mut keys, "profile", Toml::Integer(profile.into()));
+    }
+    match device.physics.as_deref().map(str::trim).filter(|physics| !physics.is_empty()) {
+        Some(physics) => set(&mut keys, "physics", Toml::text(physics)),
+        None => {
+            report.guess(head.at, "Physics", "it is missing; two ports for cables are taken");
+            block.remarks.push("the ESI does not say its ports".to_owned());
+            set(&mut keys, "physics", Toml::text("YY"));
+        }
+    }
+    block.keys = keys;
+    block
+}
+
+fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
+    let mut keys = Keys::new();
+    let numbers = [
+        ("vendor-id", esi.vendor_id, "the vendor id"),
+        ("product-code", device.head.product_code, "the product code"),
+        ("revision", Some(device.head.revision), "the revision"),
+    ];
+    let mut remarks = Vec::new();
+    for (name, number, what) in numbers {
+        if number.is_none() {
+            report.guess(device.head.at, what, "it is missing or no number; 0 is taken");
+            remarks.push(format!("the ESI does not give {what}"));
+        }
+        set(&mut keys, name, Toml::Hex(number.unwrap_or(0).into(), 8));
+    }
+    Block { remarks, ..Block::new("identity", None, keys) }
+}
+
+/// `AddInfo` is the upper word of 0x1000, or it is lost.
+fn add_info(device: &Device, objects: &[Described], report: &mut Report) {
+    let Some((info, at)) = device.add_info else { return };
+    let kind = objects.iter().find(|object| object.index == 0x1000);
+    let default =
+        kind.and_then(|object| object.values.first()).and_then(|value| {
+            match super::super::toml::get(&value.keys, "default") {
+                Some(Toml::Hex(value, _)) => Some(*value),
+                Some(Toml::Integer(value)) => u64::try_from(*value).ok(),
+                _ => None,
+            }
+        });
+    let kept = default.is_some_and(|value| {
+        value >> 16 == u64::from(info) && Some(value & 0xFFFF) == device.profile.map(u64::from)
+    });
+    if !kept && info != 0 {
+        report.lose(at, 1, "Profile/AddInfo", format!("{info} is not what object 0x1000 says"));
+    }
+}

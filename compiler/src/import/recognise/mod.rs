@@ -1,0 +1,122 @@
+//! What an ESI file means, in the words of a description.
+
+mod axes;
+mod clocks;
+mod derived;
+mod described;
+mod draft;
+mod entries;
+mod family;
+mod head;
+mod literal;
+mod objects;
+mod pdos;
+mod profile;
+mod references;
+mod transport;
+mod types;
+mod value;
+mod words;
+
+pub(super) use draft::{Block, Draft};
+pub(super) use family::family;
+
+use std::collections::BTreeSet;
+
+use super::read::{Device, Esi, Object};
+use super::report::Report;
+use super::toml::Toml;
+use axes::Axes;
+use described::Described;
+use pdos::Way;
+use profile::Known;
+
+/// A device as a description.
+pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
+    let profiles = if is_drive(device) { vec!["ethercat", "cia402"] } else { vec!["ethercat"] };
+    let known = Known::of(&profiles);
+    let (made, own): (Vec<&Object>, Vec<&Object>) =
+        distinct(device, report).into_iter().partition(|object| derived::is_derived(object.index));
+    let mut described: Vec<Described> =
+        own.into_iter().filter_map(|object| described::described(object, report)).collect();
+    described.sort_by_key(|object| object.index);
+    let references = references::References::of(&described, &known);
+    let mut draft = Draft { profiles, ..Draft::default() };
+    draft.device = head::blocks(esi, device, &described, report);
+    let axes = Axes::of(&described);
+    draft.device.extend(axes.block(&described, report));
+    for object in described.iter().filter(|object| !axes.repeats(object.index)) {
+        let (mut block, without) = objects::block(object, &known, report);
+        axes.complete(object.index, &mut block);
+        draft.objects.push(block);
+        draft.without.extend(without);
+    }
+    process_data(device, &made, (&references, &axes), &mut draft, report);
+    draft.device.extend(clocks::sync_modes(&device.op_modes, report));
+    draft
+}
+
+/// Whether it speaks CiA 402: by its profile, or by control word and status word.
+fn is_drive(device: &Device) -> bool {
+    let has = |index| {
+        let word = |object: &&Object| {
+            object.index == index && object.values.first().is_some_and(|it| it.bits == Some(16))
+        };
+        device.objects.iter().any(|object| word(&object))
+    };
+    device.profile == Some(402) || has(0x6040) && has(0x6041)
+}
+
+/// The objects, each index once.
+fn distinct<'d>(device: &'d Device, report: &mut Report) -> Vec<&'d Object> {
+    let mut seen = BTreeSet::new();
+    let mut distinct = Vec::new();
+    for object in &device.objects {
+        if seen.insert(object.index) {
+            distinct.push(object);
+        } else {
+            let what = format!("a second object 0x{:04X}", object.index);
+            report.lose(object.at, 3, what, "there is one of this index already");
+        }
+    }
+    distinct
+}
+
+/// PDOs, sync managers, the mailbox, and the objects that follow from them.
+fn process_data(
+    device: &Device,
+    made: &[&Object],
+    (references, axes): (&references::References, &Axes),
+    draft: &mut Draft,
+    report: &mut Report,
+) {
+    let mut followers = BTreeSet::new();
+    let rx = pdos::possible(&device.rx_pdos, Way::Rx, report);
+    let tx = pdos::possible(&device.tx_pdos, Way::Tx, report);
+    for (way, pdos) in [(Way::Rx, &rx), (Way::Tx, &tx)] {
+        let (leading, following) = axes.pdos(pdos, report);
+        for pdo in pdos.iter().filter(|pdo| !following.contains(&pdo.index)) {
+            let mut block = pdos::block(pdo, (way, pdos), references, derived::room(made, pdo.index), report);
+            if leading.contains(&pdo.index) {
+                block.keys.insert(1, ("per-axis".to_owned(), Toml::Bool(true)));
+            }
+            draft.pdos.push(block);
+        }
+        followers.extend(following);
+    }
+    let slots = [0x1C12, 0x1C13].map(|index| derived::room(made, index));
+    let managers = transport::sync_managers(&device.sync_managers, [&rx, &tx], &followers, slots, report);
+    transport::fmmus(&device.fmmus, &managers, report);
+    let has = |role: &str| managers.iter().any(|block| block.key.as_deref() == Some(role));
+    let mailbox = device.mailbox.as_ref();
+    let basis = derived::Basis {
+        rx: &rx,
+        tx: &tx,
+        assigns: mailbox.is_some_and(|mailbox| mailbox.pdo_assign),
+        maps: mailbox.is_some_and(|mailbox| mailbox.pdo_config),
+        managers: ["outputs", "inputs"].map(has),
+    };
+    draft.objects.extend(made.iter().filter_map(|object| derived::block(object, &basis, report)));
+    draft.device.extend(mailbox.and_then(|mailbox| transport::mailbox(mailbox, report)));
+    draft.device.extend(managers);
+}

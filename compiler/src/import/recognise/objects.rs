@@ -1,0 +1,81 @@
+//! Objects, each with the difference from what a profile says of it.
+
+use super::super::report::Report;
+use super::super::toml::{Keys, Toml, get, set};
+use super::described::{Described, difference};
+use super::draft::Block;
+use super::entries::{shared, tables};
+use super::profile::{Base, Known};
+use super::value::Said;
+use super::words;
+use crate::model::Kind;
+
+/// The table of an object, and the paths of what its profile says and it does not have.
+pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (Block, Vec<String>) {
+    let base = known.object(object.index);
+    let key = format!("0x{:04X}", object.index);
+    let mut keys = Keys::new();
+    let mut without = Vec::new();
+    let base_name = base.and_then(Base::name);
+    let name =
+        object.name.as_ref().filter(|name| base_name.as_ref().is_none_or(|base| !words::alike(base, name)));
+    if let Some(name) = name {
+        set(&mut keys, "name", Toml::text(name));
+    }
+    match object.kind {
+        Kind::Var => var(object, base, &mut keys, &mut without),
+        Kind::Array | Kind::Record => several(object, base, &mut keys, &mut without, report),
+    }
+    if let Some(about) = &object.about
+        && get(&keys, "about").is_none()
+    {
+        let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
+        keys.insert(place, ("about".to_owned(), Toml::text(about)));
+    }
+    let without = without.into_iter().map(|path| format!("objects.{key}.{path}")).collect();
+    (Block::new("objects", Some(key), keys), without)
+}
+
+/// A single value.
+fn var(object: &Described, base: Option<Base<'_>>, keys: &mut Keys, without: &mut Vec<String>) {
+    let Some(value) = object.values.first() else { return };
+    let mut known = base.map(Base::value).unwrap_or_default();
+    if base.is_some_and(|base| base.kind() != Kind::Var) {
+        set(keys, "kind", Toml::text("var"));
+        if base.is_some_and(|base| !base.subindices().is_empty()) {
+            without.push("entries".to_owned());
+        }
+        known.retain(|(name, _)| name == "category");
+    }
+    keys.extend(difference(&value.keys, &known));
+}
+
+/// A record or an array.
+fn several(
+    object: &Described,
+    base: Option<Base<'_>>,
+    keys: &mut Keys,
+    without: &mut Vec<String>,
+    report: &mut Report,
+) {
+    let described = base.map(Base::subindices).unwrap_or_default();
+    let has = |subindex: &u8| object.values.iter().any(|value| value.subindex == *subindex);
+    without.extend(described.iter().filter(|it| !has(it)).map(|it| format!("entries.{it}")));
+    let members: Vec<&Said> = object.values.iter().filter(|value| value.subindex > 0).collect();
+    let shared = shared(object.category.as_ref(), &members, base);
+    let entries = tables(object, &members, &shared, base, &described, report);
+    let many = entries.iter().any(|(key, _)| key.contains(".."));
+    let implied = match base.map(Base::kind) {
+        Some(kind) => kind,
+        None if entries.is_empty() => Kind::Var,
+        None if many => Kind::Array,
+        None => Kind::Record,
+    };
+    if implied != object.kind {
+        set(keys, "kind", Toml::text(words::kind(object.kind)));
+    }
+    keys.extend(shared);
+    if !entries.is_empty() {
+        set(keys, "entries", Toml::Table(entries));
+    }
+}

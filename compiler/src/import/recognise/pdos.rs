@@ -1,0 +1,166 @@
+//! PDOs: what is in them, and what they cannot go with.
+
+use super::super::read::{Pdo, PdoEntry};
+use super::super::report::Report;
+use super::super::toml::{Keys, Toml, set};
+use super::draft::Block;
+use super::references::References;
+use super::types::data_type;
+use super::words;
+
+/// A direction of process data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    Rx,
+    Tx,
+}
+
+impl Way {
+    fn section(self) -> &'static str {
+        match self {
+            Self::Rx => "rx-pdos",
+            Self::Tx => "tx-pdos",
+        }
+    }
+
+    /// The name of its elements.
+    fn element(self) -> &'static str {
+        match self {
+            Self::Rx => "RxPdo",
+            Self::Tx => "TxPdo",
+        }
+    }
+
+    /// The indices that ETG.1000.6 has for it.
+    fn holds(self, index: u16) -> bool {
+        match self {
+            Self::Rx => (0x1600..=0x17FF).contains(&index),
+            Self::Tx => (0x1A00..=0x1BFF).contains(&index),
+        }
+    }
+}
+
+/// The PDOs of a direction that a description can have: of each index the first.
+pub(super) fn possible<'p>(pdos: &'p [Pdo], way: Way, report: &mut Report) -> Vec<&'p Pdo> {
+    let mut possible: Vec<&Pdo> = Vec::new();
+    for pdo in pdos {
+        let what = format!("{} 0x{:04X}", way.element(), pdo.index);
+        if !way.holds(pdo.index) {
+            report.lose(
+                pdo.at,
+                facts(pdo),
+                what,
+                "its index is none of those that ETG.1000.6 has for its direction",
+            );
+        } else if possible.iter().any(|known| known.index == pdo.index) {
+            report.lose(pdo.at, facts(pdo), what, "there is one of this index already");
+        } else {
+            possible.push(pdo);
+        }
+    }
+    possible
+}
+
+fn facts(pdo: &Pdo) -> usize {
+    let said = [pdo.name.is_some(), pdo.fixed, pdo.mandatory, pdo.sm.is_some()];
+    let own = 1 + said.into_iter().filter(|said| *said).count() + pdo.excludes.len();
+    own + pdo.entries.iter().map(entry_facts).sum::<usize>()
+}
+
+fn entry_facts(entry: &PdoEntry) -> usize {
+    let said = [entry.index > 0, entry.name.is_some(), entry.data_type.is_some()];
+    2 + said.into_iter().filter(|said| *said).count()
+}
+
+/// The table of a PDO. `all` are those of its direction, `room` is how many entries its mapping object has.
+pub(super) fn block(
+    pdo: &Pdo,
+    (way, all): (Way, &[&Pdo]),
+    references: &References,
+    room: usize,
+    report: &mut Report,
+) -> Block {
+    let mut keys = Keys::new();
+    let key = format!("0x{:04X}", pdo.index);
+    let mut remarks = Vec::new();
+    let name = pdo.name.clone().unwrap_or_else(|| {
+        remarks.push("the ESI gives it no name".to_owned());
+        report.guess(
+            pdo.at,
+            format!("the name of {} {key}", way.element()),
+            "it has none; its index is taken",
+        );
+        format!("{} {key}", way.element())
+    });
+    set(&mut keys, "name", Toml::text(name));
+    if !pdo.fixed {
+        set(&mut keys, "fixed", Toml::Bool(false));
+    }
+    if !pdo.fixed && room > pdo.entries.len() {
+        set(&mut keys, "max-entries", Toml::Integer(room.min(254) as i128));
+    }
+    if pdo.mandatory {
+        set(&mut keys, "mandatory", Toml::Bool(true));
+    }
+    let entries: Vec<Toml> = pdo.entries.iter().map(|entry| mapped(entry, references, report)).collect();
+    if !entries.is_empty() {
+        set(&mut keys, "entries", Toml::List(entries));
+    }
+    let mut excludes: Vec<String> = Vec::new();
+    for (index, at) in &pdo.excludes {
+        let text = format!("0x{index:04X}");
+        if *index == pdo.index || !all.iter().any(|other| other.index == *index) {
+            report.lose(
+                *at,
+                1,
+                format!("Exclude {text} of {} {key}", way.element()),
+                "it names no other PDO of the direction",
+            );
+        } else if !excludes.contains(&text) {
+            excludes.push(text);
+        }
+    }
+    if !excludes.is_empty() {
+        set(&mut keys, "excludes", Toml::texts(excludes));
+    }
+    Block { remarks, ..Block::new(way.section(), Some(key), keys) }
+}
+
+/// An entry of a PDO: a word, or a table where the word is not all.
+fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Toml {
+    let bits = || ("bits".to_owned(), Toml::Integer(entry.bits.into()));
+    let named = |name: &String| ("name".to_owned(), Toml::text(name));
+    if entry.index == 0 {
+        let name = entry.name.iter().filter(|name| !is_padding(name)).map(named);
+        return Toml::Table(std::iter::once(bits()).chain(name).collect());
+    }
+    let address = format!("0x{:04X}:{:02X}", entry.index, entry.subindex);
+    let Some(target) = references.get(entry.index, entry.subindex) else {
+        if entry.data_type.is_some() {
+            let why = "it is not in the dictionary, and what is mapped only has a width";
+            report.lose(entry.at, 1, "the data type of a mapped entry", why);
+        }
+        let keys = [("entry".to_owned(), Toml::text(address)), bits()];
+        return Toml::Table(keys.into_iter().chain(entry.name.as_ref().map(named)).collect());
+    };
+    let same_type = entry.data_type.as_deref().is_none_or(|name| {
+        data_type(name, Some(entry.bits.into())).is_some_and(|(found, _)| found == target.data_type)
+    });
+    if !same_type {
+        let written = entry.data_type.as_deref().unwrap_or_default();
+        let why = format!("its object is {}, the PDO says {written}", target.data_type);
+        report.lose(entry.at, 1, format!("the data type of {address} in a PDO"), why);
+    }
+    let mut keys = vec![("entry".to_owned(), Toml::text(&target.text))];
+    if u32::from(entry.bits) != target.data_type.bits() {
+        keys.push(bits());
+    }
+    let other = |name: &&String| target.name.as_ref().is_none_or(|known| !words::alike(known, name));
+    keys.extend(entry.name.as_ref().filter(other).map(named));
+    if keys.len() > 1 { Toml::Table(keys) } else { Toml::text(&target.text) }
+}
+
+/// Whether the name of a padding says no more than that.
+fn is_padding(name: &str) -> bool {
+    ["padding", "reserved", "alignment", "---", ""].iter().any(|word| name.trim().eq_ignore_ascii_case(word))
+}

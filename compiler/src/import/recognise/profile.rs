@@ -1,0 +1,99 @@
+//! What the profiles say of objects: what a description need not repeat.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::super::toml::{Keys, Toml, set};
+use super::words;
+use crate::diagnostic::Diagnostics;
+use crate::model::{DataType, Kind};
+use crate::raw::{self, RawEntry, RawObject};
+use crate::source::{Document, Memory, Sources, load};
+
+/// The objects of profiles by index.
+#[derive(Debug, Default)]
+pub(super) struct Known(BTreeMap<u16, RawObject>);
+
+impl Known {
+    /// The objects of some profiles: a description that mentions them all, and says nothing of them, is read.
+    pub(super) fn of(profiles: &[&str]) -> Self {
+        let head = format!("profiles = {}\n", Toml::texts(profiles.iter().copied()).inline());
+        let mut found = Self::default();
+        let Some((document, _)) = read(&head) else { return found };
+        let objects = document.profile.get("objects").and_then(|objects| objects.node.table());
+        let keys = objects.into_iter().flat_map(|objects| &objects.members).map(|member| &member.key.name);
+        let mentions: String = keys.map(|key| format!("{key} = {{}}\n")).collect();
+        let Some((document, sources)) = read(&format!("{head}[objects]\n{mentions}")) else { return found };
+        let readings = raw::read(&document, "device", &sources, &mut Diagnostics::default());
+        let objects = readings.into_iter().flat_map(|reading| reading.printed.objects);
+        found.0 = objects.map(|object| (object.index.0, object)).collect();
+        found
+    }
+
+    pub(super) fn object(&self, index: u16) -> Option<Base<'_>> {
+        self.0.get(&index).map(Base)
+    }
+}
+
+fn read(text: &str) -> Option<(Document, Sources)> {
+    let loader = Memory::new().with("device/device.toml", text);
+    let mut sources = Sources::default();
+    let mut diagnostics = Diagnostics::default();
+    let path = Path::new("device");
+    let document = load(&loader, path, crate::profiles::ALL, &mut sources, &mut diagnostics)?;
+    Some((document, sources))
+}
+
+/// What a profile says of an object.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Base<'k>(&'k RawObject);
+
+impl Base<'_> {
+    pub(super) fn kind(self) -> Kind {
+        self.0.head.kind.unwrap_or(if self.0.entries.is_empty() { Kind::Var } else { Kind::Record })
+    }
+
+    pub(super) fn name(self) -> Option<String> {
+        self.0.value.name.clone()
+    }
+
+    /// The word by which a description refers to it.
+    pub(super) fn id(self) -> Option<String> {
+        self.0.head.id.clone()
+    }
+
+    /// What it says of the value of a single one.
+    pub(super) fn value(self) -> Keys {
+        keys(&self.0.value)
+    }
+
+    /// The subindices that it describes.
+    pub(super) fn subindices(self) -> Vec<u8> {
+        self.0.entries.iter().map(|entries| entries.range.0).collect()
+    }
+
+    /// What it says of an entry, be it in its own table or for all of them.
+    pub(super) fn entry(self, subindex: u8) -> Keys {
+        let own =
+            self.0.entries.iter().find(|entries| (entries.range.0..=entries.range.1).contains(&subindex));
+        keys(&own.unwrap_or(&self.0.shared).value)
+    }
+}
+
+/// The keys that an ESI file can say as well. A type without a length is none.
+fn keys(entry: &RawEntry) -> Keys {
+    let mut keys = Keys::new();
+    let mut add = |name: &str, word: Option<String>| {
+        if let Some(word) = word {
+            set(&mut keys, name, Toml::Text(word));
+        }
+    };
+    add("name", entry.name.clone());
+    let parsed = entry.r#type.as_deref().and_then(|it| it.parse::<DataType>().ok());
+    add("type", parsed.map(|it| if it == DataType::Text(0) { "STRING".to_owned() } else { it.to_string() }));
+    add("access", entry.access.map(|it| words::access(it).to_owned()));
+    add("pdo", entry.pdo.map(|it| words::mappable(it).to_owned()));
+    add("category", entry.category.map(|it| words::category(it).to_owned()));
+    add("written", entry.written.map(|it| words::window(it).to_owned()));
+    keys
+}

@@ -1,0 +1,58 @@
+//! The words by which PDOs refer to entries.
+
+use std::collections::BTreeMap;
+
+use super::described::Described;
+use super::profile::{Base, Known};
+use crate::model::{DataType, Kind, ids};
+
+/// What can be referred to, by index and subindex.
+#[derive(Debug, Default)]
+pub(super) struct References(BTreeMap<(u16, u8), Target>);
+
+/// What a reference names.
+#[derive(Debug)]
+pub(super) struct Target {
+    pub(super) text: String,
+    /// The name that a mapped entry has if it is given none.
+    pub(super) name: Option<String>,
+    pub(super) data_type: DataType,
+}
+
+impl References {
+    /// An object is named by its id where no other has it; all else by index.
+    pub(super) fn of(objects: &[Described], known: &Known) -> Self {
+        let id = |object: &Described| {
+            let base = known.object(object.index);
+            base.and_then(Base::id).or_else(|| object.name.as_deref().map(ids::id))
+        };
+        let mut times: BTreeMap<String, usize> = BTreeMap::new();
+        for id in objects.iter().filter_map(id) {
+            *times.entry(id).or_default() += 1;
+        }
+        let mut targets = BTreeMap::new();
+        for object in objects {
+            let id = id(object).filter(|id| times.get(id) == Some(&1) && is_word(id));
+            let word = id.unwrap_or_else(|| format!("0x{:04X}", object.index));
+            let base = known.object(object.index);
+            for value in &object.values {
+                let single = object.kind == Kind::Var;
+                let text = if single { word.clone() } else { format!("{word}:{:X}", value.subindex) };
+                let given = if single { &object.name } else { &value.name };
+                let name = given.clone().or_else(|| base.filter(|_| single).and_then(Base::name));
+                let target = Target { text, name, data_type: value.data_type };
+                targets.insert((object.index, value.subindex), target);
+            }
+        }
+        Self(targets)
+    }
+
+    pub(super) fn get(&self, index: u16, subindex: u8) -> Option<&Target> {
+        self.0.get(&(index, subindex))
+    }
+}
+
+/// Whether an id cannot be taken for an index or a coordinate.
+fn is_word(id: &str) -> bool {
+    id != "unnamed" && id.len() > 2 && id.chars().next().is_some_and(|first| first.is_ascii_alphabetic())
+}

@@ -1,0 +1,110 @@
+//! The words that descriptions and ESI files have for the same.
+
+use crate::model::{Access, Category, Kind, Mappable, WriteWindow};
+
+pub(super) fn access(access: Access) -> &'static str {
+    match access {
+        Access::Ro => "ro",
+        Access::Wo => "wo",
+        Access::Rw => "rw",
+        Access::Const => "const",
+    }
+}
+
+pub(super) fn mappable(mappable: Mappable) -> &'static str {
+    match mappable {
+        Mappable::None => "none",
+        Mappable::Rx => "rx",
+        Mappable::Tx => "tx",
+        Mappable::RxTx => "rx-tx",
+    }
+}
+
+pub(super) fn category(category: Category) -> &'static str {
+    match category {
+        Category::Mandatory => "mandatory",
+        Category::Optional => "optional",
+        Category::Conditional => "conditional",
+    }
+}
+
+pub(super) fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Var => "var",
+        Kind::Array => "array",
+        Kind::Record => "record",
+    }
+}
+
+pub(super) fn window(window: WriteWindow) -> &'static str {
+    match window {
+        WriteWindow::PreOp => "pre-op",
+        WriteWindow::PreOpSafeOp => "pre-op-safe-op",
+        WriteWindow::PreOpOp => "pre-op-op",
+        WriteWindow::SafeOp => "safe-op",
+        WriteWindow::SafeOpOp => "safe-op-op",
+        WriteWindow::Op => "op",
+    }
+}
+
+const WINDOWS: [WriteWindow; 6] = [
+    WriteWindow::PreOp,
+    WriteWindow::PreOpSafeOp,
+    WriteWindow::PreOpOp,
+    WriteWindow::SafeOp,
+    WriteWindow::SafeOpOp,
+    WriteWindow::Op,
+];
+
+/// What a file calls a restriction of writing, in any case of letters.
+pub(super) fn window_of(text: &str) -> Option<WriteWindow> {
+    WINDOWS.into_iter().find(|window| window.name().eq_ignore_ascii_case(text.trim()))
+}
+
+/// `ro`, `wo`, `rw`, in any case of letters.
+pub(super) fn access_of(text: &str) -> Option<Access> {
+    match text.trim().to_ascii_lowercase().as_str() {
+        "ro" => Some(Access::Ro),
+        "wo" => Some(Access::Wo),
+        "rw" => Some(Access::Rw),
+        _ => None,
+    }
+}
+
+/// `R`, `T` or both, in any case of letters.
+pub(super) fn mappable_of(text: &str) -> Mappable {
+    let has = |letter| text.chars().any(|char| char.eq_ignore_ascii_case(&letter));
+    match (has('r'), has('t')) {
+        (false, false) => Mappable::None,
+        (true, false) => Mappable::Rx,
+        (false, true) => Mappable::Tx,
+        (true, true) => Mappable::RxTx,
+    }
+}
+
+/// `m`, `o`, `c`, in any case of letters.
+pub(super) fn category_of(text: &str) -> Option<Category> {
+    match text.trim().to_ascii_lowercase().as_str() {
+        "m" => Some(Category::Mandatory),
+        "o" => Some(Category::Optional),
+        "c" => Some(Category::Conditional),
+        _ => None,
+    }
+}
+
+/// Whether two names are the same but for case, blanks and signs.
+pub(super) fn alike(one: &str, other: &str) -> bool {
+    let letters = |text: &str| -> String {
+        text.chars().filter(|char| char.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+    };
+    letters(one) == letters(other)
+}
+
+/// Whether a name says no more than the subindex, as `SubIndex 001` or `Elements`.
+pub(super) fn says_nothing(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    let rest = lower.strip_prefix("subindex").or_else(|| lower.strip_prefix("sub-index"));
+    lower.is_empty()
+        || lower == "elements"
+        || rest.is_some_and(|rest| rest.trim().bytes().all(|byte| byte.is_ascii_digit()))
+}

@@ -1,0 +1,14 @@
+//! Descriptions made of ESI files, and ESI files made of those again: both must mean the same.
+//!
+//! What a file means is read by `facts`, which shares no code with devc. What is not the same has to be in the report of
+//! the import.
+
+#![cfg(test)]
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
+mod corpus;
+mod facts;
+mod hostile;
+mod kinds;
+mod objects;
+mod round_trip;
