@@ -59,9 +59,12 @@ impl<'d> Image<'d> {
         chosen.or_else(|| self.manager.map(|manager| manager.origin.value("pdos")))
     }
 
-    /// What it carries, with the place of each.
+    /// What it carries, with the place of each; of a PDO that is assigned twice once.
     pub(super) fn mapped(&self) -> impl Iterator<Item = (&'d Pdo, Place, &'d Mapped)> {
-        self.pdos.iter().flat_map(|pdo| {
+        let is_first = |(place, pdo): &(usize, &&Pdo)| {
+            !self.pdos.iter().take(*place).any(|other| std::ptr::eq(*other, **pdo))
+        };
+        self.pdos.iter().enumerate().filter(is_first).flat_map(|(_, pdo)| {
             let remapping = self.configuration.filter(|configuration| {
                 configuration.mapping.iter().any(|remapped| std::ptr::eq(remapped, *pdo))
             });

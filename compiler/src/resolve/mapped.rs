@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 
 use super::context::Context;
-use super::pdos::MOST;
 use super::{names, numbered, objects};
 use crate::diagnostic::faults;
 use crate::model::ids::{self, Siblings};
@@ -13,6 +12,10 @@ use crate::source::{Location, Origin, keys};
 
 /// What a sync manager can carry: its length is a number of bytes in 16 bits.
 const MAX_BITS: u32 = u16::MAX as u32 * 8;
+
+/// What a mapping object, or an assignment, has room for: subindices 1 to 254, since 0 is their number and CiA 301 keeps
+/// 255 for itself.
+pub(super) const MOST: usize = 254;
 
 /// What is mapped, each entry behind the one before.
 pub(super) fn mapped(

@@ -10,10 +10,6 @@ use crate::model::{Direction, Index, Object, Pdo, Repeated};
 use crate::raw::RawPdo;
 use crate::source::Origin;
 
-/// What a mapping object, or an assignment, has room for: subindices 1 to 254, since 0 is their number and CiA 301 keeps
-/// 255 for itself.
-pub(super) const MOST: usize = 254;
-
 /// The PDOs of a direction, by index.
 pub(super) fn pdos(
     context: &mut Context<'_>,

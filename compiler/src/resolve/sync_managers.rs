@@ -1,7 +1,7 @@
 //! Sync managers.
 
 use super::context::Context;
-use super::{names, pdos};
+use super::{mapped, names, pdos};
 use crate::diagnostic::faults;
 use crate::model::{Index, Pdo, Role, SyncManager};
 use crate::raw::{RawPdo, RawSyncManager};
@@ -100,9 +100,9 @@ fn assigned(context: &mut Context<'_>, entity: &RawSyncManager, described: &[&Ra
             _ => context.no_pdo(text, entity.origin.value(&format!("pdos.{i}")), "not described"),
         }
     }
-    if assigned.len() > pdos::MOST {
+    if assigned.len() > mapped::MOST {
         let message = format!("{} PDOs cannot be assigned to one sync manager", assigned.len());
-        let label = format!("an assignment holds {}", pdos::MOST);
+        let label = format!("an assignment holds {}", mapped::MOST);
         context.fault(&faults::UNFIT_VALUE, message, entity.origin.value("pdos"), &label);
     }
     assigned.sort_by_key(|(axis, _)| *axis);

@@ -240,7 +240,7 @@ lints! {
     unsupported_cycle_time,
     unsupported_pdo_mode,
     unsupported_transition,
-    widthless_entry,
     unwritable_output,
+    widthless_entry,
     withheld_bit,
 }

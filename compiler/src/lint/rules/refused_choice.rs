@@ -32,6 +32,14 @@ rule! {
     /// entries = ["0x2000"]
     /// fixed = false
     ///
+    /// [sync-managers.mailbox-out]
+    /// address = 0x1000
+    /// size = 128
+    ///
+    /// [sync-managers.mailbox-in]
+    /// address = 0x1080
+    /// size = 128
+    ///
     /// [sync-managers.inputs]
     /// address = 0x1400
     /// pdos = ["0x1A00"]
@@ -69,6 +77,14 @@ rule! {
     /// name = "Values"
     /// entries = ["0x2000"]
     /// fixed = false
+    ///
+    /// [sync-managers.mailbox-out]
+    /// address = 0x1000
+    /// size = 128
+    ///
+    /// [sync-managers.mailbox-in]
+    /// address = 0x1080
+    /// size = 128
     ///
     /// [sync-managers.inputs]
     /// address = 0x1400

@@ -22,7 +22,6 @@ rule! {
     ///
     /// [sync-managers.outputs]
     /// address = 0x1100
-    /// size = 8
     /// pdos = ["0x1600", "0x1600"]
     /// ```
     ///
@@ -40,7 +39,6 @@ rule! {
     ///
     /// [sync-managers.outputs]
     /// address = 0x1100
-    /// size = 8
     /// pdos = ["0x1600"]
     /// ```
     pub(super) static RULE = "repeated-assignment", ProcessData, Error, "a PDO is assigned twice";
