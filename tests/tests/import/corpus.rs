@@ -66,6 +66,7 @@ fn real_files_are_imported_or_refused_with_a_reason() {
             );
             total =
                 (total.0 + 1, total.1 + facts, total.2 + lost, total.3 + made.silent.len(), total.4 + lines);
+            made.silent.iter().take(3).for_each(|fact| println!("    silent: {fact}"));
             for (key, was, is) in &made.changed {
                 let parts: Vec<&str> = key.split('/').collect();
                 let kind = format!(

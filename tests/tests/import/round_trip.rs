@@ -71,15 +71,27 @@ fn changed(before: &Facts, after: &Facts) -> Vec<(String, String, Option<String>
     let mut changed = Vec::new();
     for (key, fact) in before {
         let now = after.get(key).map(|fact| fact.value.clone());
-        if !now.as_deref().is_some_and(|now| same(key, &fact.value, now)) {
+        let is_same = now.as_deref().is_some_and(|now| same(key, &fact.value, now));
+        if !is_same && !is_forbidden_choice(before, key) {
             changed.push((key.clone(), fact.value.clone(), now));
         }
     }
     changed
 }
 
-/// Names are the same whatever their case and signs.
+/// Whether it is a value of an enumeration on a type that ETG.2000 lets be none: the ESI has it in a comment.
+fn is_forbidden_choice(facts: &Facts, key: &str) -> bool {
+    let Some((entry, _)) = key.split_once("/choice/") else { return false };
+    let Some(base) = facts.get(&format!("{entry}/type")) else { return false };
+    !["BOOL", "BIT", "USINT", "UINT", "UDINT"].iter().any(|allowed| base.value.starts_with(allowed))
+}
+
+/// Names are the same whatever their case and signs, and with the axis behind them.
 fn same(key: &str, one: &str, other: &str) -> bool {
+    let other = match other.strip_prefix(one) {
+        Some(rest) if rest.starts_with(" (") && rest.ends_with(')') => one,
+        _ => other,
+    };
     let letters = |text: &str| -> String {
         text.chars().filter(|char| char.is_alphanumeric()).flat_map(char::to_lowercase).collect()
     };

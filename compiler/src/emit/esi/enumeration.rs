@@ -25,7 +25,7 @@ impl Enumeration {
     /// ETG.2000 lets be an enumeration.
     pub(super) fn of(member: &Member<'_>) -> Option<Self> {
         let base = member.data_type;
-        if !matches!(base, DataType::Bool | DataType::Uint(8 | 16 | 32)) {
+        if !matches!(base, DataType::Bool | DataType::Uint(8 | 16 | 32) | DataType::Bits(_)) {
             return None;
         }
         let fits = |value| {
@@ -42,11 +42,19 @@ impl Enumeration {
         format!("DT{:04X}EN{:02}", FIRST.saturating_add(number), self.base.bits())
     }
 
+    /// The type below; a few bits are part of a byte.
+    fn base_name(&self) -> String {
+        match self.base {
+            DataType::Bits(_) => primitive::name(DataType::Uint(8)),
+            base => primitive::name(base),
+        }
+    }
+
     /// The declaration.
     pub(super) fn declaration(&self, number: usize) -> Element {
         Element::new("DataType")
             .child(Element::leaf("Name", self.name(number)))
-            .child(Element::leaf("BaseType", primitive::name(self.base)))
+            .child(Element::leaf("BaseType", self.base_name()))
             .child(Element::leaf("BitSize", self.base.bits()))
             .children(self.meanings.iter().map(meaning))
     }

@@ -22,6 +22,7 @@ rule! {
     ///
     /// [sync-managers.outputs]
     /// address = 0x1100
+    /// size = 8
     /// pdos = ["0x1600", "0x1600"]
     /// ```
     ///
