@@ -1,7 +1,7 @@
 //! From ESI to a description and back.
 
 use devc::emit::{self, Options};
-use devc::import::{Choice, Imported, import};
+use devc::import::{Choice, Imported, Note, import};
 use devc::source::Memory;
 
 use super::facts::{self, Facts};
@@ -102,5 +102,7 @@ fn same(key: &str, one: &str, other: &str) -> bool {
 fn is_reported(before: &Facts, key: &str, imported: &Imported) -> bool {
     let lines = &before[key].lines;
     let inside = |line: usize| lines.iter().any(|(first, last)| (*first..=*last).contains(&line));
-    imported.report.notes.iter().any(|note| inside(note.place.0))
+    // One note for all values whose mapping follows from the PDOs.
+    let is_told = |note: &Note| key.ends_with("/mapping") && note.what == "what can be mapped";
+    imported.report.notes.iter().any(|note| inside(note.place.0) || is_told(note))
 }

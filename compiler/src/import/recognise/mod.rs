@@ -93,6 +93,13 @@ fn process_data(
     let mut followers = BTreeSet::new();
     let rx = pdos::possible(&device.rx_pdos, Way::Rx, report);
     let tx = pdos::possible(&device.tx_pdos, Way::Tx, report);
+    if let Some(first) = rx.iter().chain(&tx).next().filter(|_| rx.iter().chain(&tx).all(|pdo| pdo.fixed)) {
+        report.guess(
+            first.at,
+            "what can be mapped",
+            "no mapping can be changed, so it follows from the PDOs",
+        );
+    }
     for (way, pdos) in [(Way::Rx, &rx), (Way::Tx, &tx)] {
         let (leading, following) = axes.pdos(pdos, report);
         for pdo in pdos.iter().filter(|pdo| !following.contains(&pdo.index)) {
