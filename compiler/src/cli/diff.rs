@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use devc::Compilation;
 use devc::diff::{Class, Comparison, compare, gate, json, markdown, text};
+use devc::import::Choice;
 use devc::lint::Checked;
 use devc::model::Family;
-use devc::source::Disk;
+use devc::source::{Disk, Memory};
 
 use super::git;
+use super::import::imported;
 use super::limit::Limit;
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
@@ -21,8 +23,8 @@ use super::report::Report;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Diff {
-    /// The old version: the folder of a description, or a TOML file. Or two revisions of git, as `main..HEAD`; without the
-    /// second one, the files as they are.
+    /// The old version: the folder of a description, a TOML file, or an ESI file. Or two revisions of git, as `main..HEAD`;
+    /// without the second one, the files as they are.
     #[arg(value_name = "OLD")]
     old: PathBuf,
 
@@ -50,6 +52,7 @@ pub(super) struct Diff {
 const EXAMPLES: &str = "\
 Examples:
   devc diff old/c887 new/c887                 two folders
+  devc diff old/c887.xml devices/c887         what an ESI file says, against a description
   devc diff main..HEAD devices/c887           two revisions of git
   devc diff v1.2.. devices/c887 --gate        from a revision to the files as they are, as a gate in a pipeline
   devc diff v1.2.. devices/c887 --format markdown
@@ -112,9 +115,9 @@ impl Diff {
     /// Both versions, compiled.
     fn versions(&self) -> Result<[Compilation; 2], Failure> {
         let revisions = self.old.to_str().and_then(|old| old.split_once("..")).filter(|_| !self.old.exists());
-        let Some((old, new)) = revisions else { return Ok([compiled(&self.old), compiled(&self.new)]) };
+        let Some((old, new)) = revisions else { return Ok([read(&self.old)?, read(&self.new)?]) };
         let old = if old.is_empty() { "HEAD" } else { old };
-        let new = if new.is_empty() { compiled(&self.new) } else { committed(new, &self.new)? };
+        let new = if new.is_empty() { read(&self.new)? } else { committed(new, &self.new)? };
         Ok([committed(old, &self.new)?, new])
     }
 
@@ -124,8 +127,14 @@ impl Diff {
     }
 }
 
-fn compiled(path: &Path) -> Compilation {
-    cut(devc::compile(&Disk, path))
+/// A description; or an ESI file, as `devc import` reads it.
+fn read(path: &Path) -> Result<Compilation, Failure> {
+    if path.extension().is_none_or(|extension| extension != "xml") {
+        return Ok(cut(devc::compile(&Disk, path)));
+    }
+    let imported = imported(path, &Choice::default())?;
+    let with = |files: Memory, (name, text): (&String, &String)| files.with(path.join(name), text.as_str());
+    Ok(cut(devc::compile(&imported.files.iter().fold(Memory::new(), with), path)))
 }
 
 fn committed(revision: &str, path: &Path) -> Result<Compilation, Failure> {

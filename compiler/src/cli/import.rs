@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use devc::import::{Choice, Refusal, import};
+use devc::import::{Choice, Imported, Refusal, import};
 use devc::source::{MAX_SIZE, plain};
 
 use super::draft::Draft;
@@ -54,12 +54,8 @@ fn revision(text: &str) -> Result<u32, String> {
 
 impl Import {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
-        let limit = u64::try_from(MAX_SIZE).unwrap_or(u64::MAX).saturating_add(1);
-        let bytes =
-            plain::read(&self.file, limit).map_err(|error| Failure::at("read", &self.file, &error))?;
-        let name = self.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let choice = Choice { device: self.device.clone(), revision: self.revision };
-        let imported = import(&bytes, &name, &choice).map_err(|refusal| self.refused(&refusal, report))?;
+        let imported = imported(&self.file, &choice)?;
         let out = self.out.clone().unwrap_or_else(|| Path::new("devices").join(&imported.id));
         let file = self.file.display().to_string();
         let losses = self.report.as_ref().map(|path| (path, imported.report.json(&file)));
@@ -70,17 +66,6 @@ impl Import {
         let names: Vec<&str> = imported.files.keys().map(String::as_str).collect();
         report.line(&format!("{}: wrote {}", out.display(), names.join(", ")));
         Ok(Outcome::Clean)
-    }
-
-    fn refused(&self, refusal: &Refusal, report: &Report) -> Failure {
-        let place = refusal.place.map(|(line, column)| format!(":{line}:{column}")).unwrap_or_default();
-        let failure =
-            Failure::new(format!("cannot import `{}{place}`: {}", self.file.display(), refusal.why));
-        if refusal.choices.is_empty() {
-            return failure;
-        }
-        refusal.choices.iter().for_each(|choice| report.message(choice));
-        failure.help("choose one of these with `--device` and `--revision`")
     }
 
     /// Writes all files, or none if one of them is there already.
@@ -108,5 +93,24 @@ impl Import {
         }
         let failure = Failure::new(format!("`{}` is there already", path.display()));
         Err(failure.help("give another folder by `--out`, or say `--overwrite`"))
+    }
+}
+
+/// The description of a device of an ESI file.
+pub(super) fn imported(file: &Path, choice: &Choice) -> Result<Imported, Failure> {
+    let limit = u64::try_from(MAX_SIZE).unwrap_or(u64::MAX).saturating_add(1);
+    let bytes = plain::read(file, limit).map_err(|error| Failure::at("read", file, &error))?;
+    let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    import(&bytes, &name, choice).map_err(|refusal| refused(file, &refusal))
+}
+
+fn refused(file: &Path, refusal: &Refusal) -> Failure {
+    let place = refusal.place.map(|(line, column)| format!(":{line}:{column}")).unwrap_or_default();
+    let failure = Failure::new(format!("cannot import `{}{place}`: {}", file.display(), refusal.why));
+    match refusal.choices.as_slice() {
+        [] => failure,
+        choices => failure
+            .choices(choices)
+            .help("choose one of these with `--device` and `--revision` of `devc import`"),
     }
 }

@@ -32,11 +32,13 @@ pub(super) struct Failure {
     pub(super) what: String,
     /// What to do about it.
     pub(super) help: Option<String>,
+    /// What can be chosen from, a line each, if that is what to do.
+    pub(super) choices: Vec<String>,
 }
 
 impl Failure {
     pub(super) fn new(what: impl Into<String>) -> Self {
-        Self { what: what.into(), help: None }
+        Self { what: what.into(), help: None, choices: Vec::new() }
     }
 
     /// The system refused to do something with a file or folder.
@@ -48,6 +50,12 @@ impl Failure {
     pub(super) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
+    }
+
+    /// With what can be chosen from.
+    #[must_use]
+    pub(super) fn choices(self, choices: &[String]) -> Self {
+        Self { choices: choices.to_vec(), ..self }
     }
 
     /// With help, if there is any.

@@ -88,6 +88,7 @@ impl Report {
 
     /// Prints why devc could not do its work.
     pub(super) fn failure(&self, failure: &Failure) -> Outcome {
+        failure.choices.iter().for_each(|choice| self.message(choice));
         self.error(&failure.what, failure.help.as_deref());
         Outcome::Failed
     }

@@ -7,7 +7,7 @@ use super::change::{Change, Class, Kind};
 use super::judge::{Judged, judge};
 use super::kinds;
 use super::place::{Versions, place};
-use crate::model::{Device, Difference, Family, Place, Section, differences};
+use crate::model::{Device, Difference, Family, Place, Repeated, Section, differences};
 
 /// What changes from one version of a family to the next.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -115,7 +115,7 @@ fn versions(versions: Versions<'_>) -> Vec<Change> {
         let path: Vec<&str> = difference.path.0.iter().map(String::as_str).collect();
         let Some(change) = change(versions, &path, &difference) else { continue };
         let (_, axes) = found.entry(key(&change)).or_insert_with(|| (change, BTreeSet::new()));
-        axes.insert(versions.axis(&path));
+        axes.insert(versions.repeated(&path).and_then(Repeated::axis));
     }
     found.into_values().map(|(change, axes)| Change { axes: axes.len(), ..change }).collect()
 }
@@ -132,8 +132,8 @@ fn change(versions: Versions<'_>, path: &[&str], difference: &Difference) -> Opt
     let Judged { kind, of_whole } = judge(versions, path, difference)?;
     let path = path.get(..of_whole.as_ref().map_or(path.len(), |whole| whole.depth)).unwrap_or(path);
     let at = place(path);
-    let at = match versions.leading(path) {
-        Some(index) => Place { key: Place::from(index).key, ..at },
+    let at = match versions.repeated(path) {
+        Some(one) => Place { key: Place::from(one.leading()).key, ..at },
         None => at,
     };
     let change = Change { name: versions.name(path), ..Change::of(kind, at, difference) };

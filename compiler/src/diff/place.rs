@@ -1,6 +1,6 @@
 //! Where in a device a difference lies, and what is there.
 
-use crate::model::{Address, Device, Entry, Index, Object, Pdo, Place, Section, Shape};
+use crate::model::{Address, Device, Entry, Index, Object, Pdo, Place, Repeated, Section, Shape};
 
 /// The place that a path into a device names, as rules and errata name it.
 pub(super) fn place(path: &[&str]) -> Place {
@@ -90,22 +90,14 @@ impl<'d> Versions<'d> {
         of(self.new).or_else(|| of(self.old))
     }
 
-    /// The axis that the thing at a place belongs to.
-    pub(super) fn axis(self, path: &[&str]) -> Option<u8> {
-        let of = |device: &Device| match path {
-            ["objects", key, ..] => device.object(index(key)?).and_then(|object| object.axis),
-            ["pdos", key, ..] => device.pdo(index(key)?).and_then(|pdo| pdo.axis),
-            _ => None,
-        };
-        of(self.new).or_else(|| of(self.old))
-    }
-
-    /// The index of the same thing on the first axis.
-    pub(super) fn leading(self, path: &[&str]) -> Option<Index> {
-        let of = |device: &Device| match path {
-            ["objects", key, ..] => device.object(index(key)?).map(|object| object.leading),
-            ["pdos", key, ..] => device.pdo(index(key)?).map(|pdo| pdo.leading),
-            _ => None,
+    /// The object or the PDO at a place, in the new version if it is there.
+    pub(super) fn repeated(self, path: &[&str]) -> Option<&'d dyn Repeated> {
+        let of = |device: &'d Device| -> Option<&'d dyn Repeated> {
+            match path {
+                ["objects", key, ..] => device.object(index(key)?).map(|object| object as &dyn Repeated),
+                ["pdos", key, ..] => device.pdo(index(key)?).map(|pdo| pdo as &dyn Repeated),
+                _ => None,
+            }
         };
         of(self.new).or_else(|| of(self.old))
     }

@@ -96,6 +96,19 @@ fn revisions_of_git_are_compared() {
     assert!(run.err.contains("git knows no revision `--exec=x`"), "{}", run.err);
 }
 
+/// What `devc build` makes of a description says the same, as far as an ESI file can.
+#[test]
+fn an_esi_file_is_a_version() {
+    let changed = SOUND.replace("UINT16", "INT16");
+    let desk = Desk::new(&[("old", SOUND), ("new", &changed)]);
+    desk.devc(&["build", "devices/old", "-o", "out"]).ends(0, &[]);
+    let run = desk.devc(&["diff", "out/old/old.xml", "devices/new"]);
+    assert_eq!(run.code, Some(1), "{}", run.err);
+    assert!(run.out.contains("changed-type 0x2000:00 Speed: UINT16 → INT16"), "{}", run.out);
+    let same = desk.devc(&["diff", "out/old/old.xml", "devices/old", "--show", "configuration-breaking"]);
+    assert!(!same.out.contains("changed-type"), "{}", same.out);
+}
+
 #[test]
 fn a_version_with_errors_is_not_compared() {
     let desk = Desk::new(&[("old", SOUND), ("new", &SOUND.replace("UINT16", "UINT15"))]);

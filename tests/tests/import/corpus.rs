@@ -1,5 +1,7 @@
 //! Real files of vendors, where a folder of them is there: none of them is part of the project.
 
+#![allow(clippy::print_stdout)] // the table of results, for who asks for it by `--nocapture`
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -36,14 +36,13 @@ fn object(node: Node<'_, '_>, types: &Types<'_, '_>, facts: &mut Collector) {
         return value(
             &format!("object/{index:04X}:00"),
             (&type_name, bits),
-            flags,
-            find(node, "Info"),
+            (flags, find(node, "Info")),
             types,
             &at,
             facts,
         );
     }
-    let mut places: Vec<(i64, Option<String>, String, Option<String>, Option<Node<'_, '_>>)> = Vec::new();
+    let mut places: Vec<Member<'_, '_>> = Vec::new();
     for item in items {
         let kind = text_in(item, "Type").unwrap_or_default();
         let own = find(item, "Flags").or(flags);
@@ -76,7 +75,7 @@ fn object(node: Node<'_, '_>, types: &Types<'_, '_>, facts: &mut Collector) {
         let place = if by_name { names.iter().position(|name| name == own_name) } else { Some(order) };
         let part = place.and_then(|place| parts.get(place)).and_then(|part| find(*part, "Info"));
         let key = format!("object/{index:04X}:{subindex:02X}");
-        value(&key, (kind, bits.clone()), *flags, part, types, &at, facts);
+        value(&key, (kind, bits.clone()), (*flags, part), types, &at, facts);
         let said = own_name.clone().or_else(|| place.and_then(|place| names.get(place).cloned().flatten()));
         let derived = matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1C13);
         let says = |name: &String| !name.to_lowercase().starts_with("subindex") && name != "Elements";
@@ -86,11 +85,13 @@ fn object(node: Node<'_, '_>, types: &Types<'_, '_>, facts: &mut Collector) {
     }
 }
 
+/// A value of an object: its subindex, name, type, width and flags.
+type Member<'a, 'i> = (i64, Option<String>, String, Option<String>, Option<Node<'a, 'i>>);
+
 fn value(
     key: &str,
     (kind, own_bits): (&str, Option<String>),
-    flags: Option<Node<'_, '_>>,
-    info: Option<Node<'_, '_>>,
+    (flags, info): (Option<Node<'_, '_>>, Option<Node<'_, '_>>),
     types: &Types<'_, '_>,
     at: &[Lines],
     facts: &mut Collector,
