@@ -21,6 +21,7 @@
 
 pub mod bytes;
 pub mod cia402;
+mod codes;
 pub mod coe;
 mod device;
 pub mod error;

@@ -147,3 +147,12 @@ fn means_else(difference: &Difference) -> bool {
 fn function(difference: &Difference) -> &'static Kind {
     if difference.second.as_deref() == Some("true") { &kinds::GAINED_FUNCTION } else { &kinds::LOST_FUNCTION }
 }
+
+/// Whether a limit is less than before; none is no limit.
+fn less<N: Ord>(old: Option<N>, new: Option<N>) -> bool {
+    match (old, new) {
+        (_, None) => false,
+        (None, Some(_)) => true,
+        (Some(old), Some(new)) => new < old,
+    }
+}

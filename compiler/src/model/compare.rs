@@ -10,7 +10,7 @@ use super::difference::{Difference, FieldPath};
 use crate::source::{Location, Origin};
 
 /// A part of the model.
-pub trait Compare: PartialEq {
+pub trait Compare: PartialEq + Sized {
     /// Whether it is one value, not made of parts that are told apart.
     const IS_VALUE: bool = false;
 
@@ -32,8 +32,10 @@ pub trait Compare: PartialEq {
         None
     }
 
-    /// Hands on what differs from another, at a path.
-    fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference));
+    /// Hands on what differs from another, at a path; what is one value differs as a whole.
+    fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
+        values(self, other, path, found);
+    }
 }
 
 /// What differs between two parts of the model, in the order of their fields.
@@ -44,7 +46,7 @@ pub fn differences<T: Compare>(first: &T, second: &T) -> Vec<Difference> {
 }
 
 /// Compares single values.
-pub(crate) fn values<T: Compare>(first: &T, second: &T, path: &FieldPath, found: &mut dyn FnMut(Difference)) {
+fn values<T: Compare>(first: &T, second: &T, path: &FieldPath, found: &mut dyn FnMut(Difference)) {
     if first != second {
         found(path.differ(Some(first.shown()), Some(second.shown())));
     }
@@ -59,15 +61,6 @@ macro_rules! value {
 
                 fn shown(&self) -> String {
                     self.to_string()
-                }
-
-                fn compare(
-                    &self,
-                    other: &Self,
-                    path: &mut $crate::model::FieldPath,
-                    found: &mut dyn FnMut($crate::model::Difference),
-                ) {
-                    $crate::model::compare::values(self, other, path, found);
                 }
             }
         )+
@@ -136,10 +129,6 @@ impl<T: Compare> Compare for (T, T) {
 
     fn shown(&self) -> String {
         format!("{} to {}", self.0.shown(), self.1.shown())
-    }
-
-    fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
-        values(self, other, path, found);
     }
 }
 
@@ -214,15 +203,6 @@ macro_rules! compared {
 
             fn shown(&self) -> String {
                 $crate::model::compare::word(self)
-            }
-
-            fn compare(
-                &self,
-                other: &Self,
-                path: &mut $crate::model::FieldPath,
-                found: &mut dyn FnMut($crate::model::Difference),
-            ) {
-                $crate::model::compare::values(self, other, path, found);
             }
         }
     };

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::codes::codes;
+
 /// What the register AL status code, 0x0134, shows (ETG.1000.6, AL status codes).
 ///
 /// ```
@@ -13,26 +15,7 @@ use core::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct AlStatusCode(pub u16);
 
-macro_rules! codes {
-    ($($name:ident = $code:literal, $meaning:literal;)+) => {
-        impl AlStatusCode {
-            $(
-                #[doc = concat!($meaning, ".")]
-                pub const $name: Self = Self($code);
-            )+
-
-            /// What the code means, if the standard says so.
-            pub const fn meaning(self) -> Option<&'static str> {
-                match self {
-                    $(Self::$name => Some($meaning),)+
-                    _ => None,
-                }
-            }
-        }
-    };
-}
-
-codes! {
+codes! { AlStatusCode:
     NONE = 0x0000, "no error";
     UNSPECIFIED = 0x0001, "an error that is not told";
     NO_MEMORY = 0x0002, "the device has not enough memory";

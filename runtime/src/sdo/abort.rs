@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::bytes::WrongLength;
+use crate::codes::codes;
 
 /// An SDO abort code (CiA 301, abort SDO transfer; ETG.1000.6, SDO abort codes).
 ///
@@ -17,29 +18,7 @@ use crate::bytes::WrongLength;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct AbortCode(pub u32);
 
-macro_rules! abort_codes {
-    ($($name:ident = $code:literal, $meaning:literal;)+) => {
-        impl AbortCode {
-            $(
-                #[doc = concat!($meaning, ".")]
-                pub const $name: Self = Self($code);
-            )+
-
-            /// What the code means, if a standard says so.
-            pub const fn meaning(self) -> Option<&'static str> {
-                match self {
-                    $(Self::$name => Some($meaning),)+
-                    _ => None,
-                }
-            }
-
-            /// Every code that a standard names, ascending.
-            pub const NAMED: &'static [Self] = &[$(Self::$name),+];
-        }
-    };
-}
-
-abort_codes! {
+codes! { AbortCode:
     TOGGLE_BIT_NOT_ALTERNATED = 0x0503_0000, "the toggle bit did not change between segments";
     TIMEOUT = 0x0504_0000, "the transfer took too long";
     UNKNOWN_COMMAND_SPECIFIER = 0x0504_0001, "the command specifier is not known";

@@ -1,6 +1,6 @@
 //! PDOs.
 
-use super::{Judged, Presence, Whole, presence};
+use super::{Judged, Presence, Whole, less, presence};
 use crate::diff::change::Kind;
 use crate::diff::kinds;
 use crate::diff::place::{Versions, index};
@@ -78,13 +78,4 @@ fn names(path: &[&str]) -> Option<Judged> {
 
 fn restricted(is_restricted: bool) -> &'static Kind {
     if is_restricted { &kinds::RESTRICTED_PDO } else { &kinds::LOOSENED_PDO }
-}
-
-/// Whether a limit is less than before; none is no limit.
-fn less<N: Ord>(old: Option<N>, new: Option<N>) -> bool {
-    match (old, new) {
-        (_, None) => false,
-        (None, Some(_)) => true,
-        (Some(old), Some(new)) => new < old,
-    }
 }

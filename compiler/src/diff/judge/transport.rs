@@ -1,6 +1,6 @@
 //! Sync managers, mailbox, EEPROM and what a master writes at start-up.
 
-use super::{Judged, Presence, Whole, presence};
+use super::{Judged, Presence, Whole, less, presence};
 use crate::diff::change::Kind;
 use crate::diff::kinds;
 use crate::diff::place::Versions;
@@ -39,14 +39,8 @@ fn manager<'d>(device: &'d Device, key: &str) -> Option<&'d SyncManager> {
     device.sync_managers.iter().find(|manager| manager.id == *key)
 }
 
-/// Without a limit there is none.
 fn area(old: Option<u16>, new: Option<u16>) -> &'static Kind {
-    let is_less = match (old, new) {
-        (_, None) => false,
-        (None, Some(_)) => true,
-        (Some(old), Some(new)) => new < old,
-    };
-    if is_less { &kinds::REDUCED_AREA } else { &kinds::ENLARGED_AREA }
+    if less(old, new) { &kinds::REDUCED_AREA } else { &kinds::ENLARGED_AREA }
 }
 
 pub(super) fn mailbox(versions: Versions<'_>, path: &[&str], difference: &Difference) -> &'static Kind {
