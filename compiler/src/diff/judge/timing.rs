@@ -21,14 +21,17 @@ fn first(device: &Device) -> Option<&str> {
 }
 
 pub(super) fn cycle_time(versions: Versions<'_>, path: &[&str], difference: &Difference) -> &'static Kind {
-    let of = |device: &Device, id: &str| device.cycle_times.iter().find(|time| time.id == id).cloned();
-    let both = |id: &str| of(versions.old, id).zip(of(versions.new, id));
+    let both = |id: &str| {
+        let [old, new] =
+            [versions.old, versions.new].map(|device| device.cycle_times.iter().find(|time| time.id == id));
+        old.zip(new)
+    };
     match (path, presence(difference)) {
         ([_], Presence::Gone) => &kinds::SHORTENED_TIME,
         ([_], _) => &kinds::LENGTHENED_TIME,
         ([_, "name"], _) => &kinds::RENAMED,
         ([_, "about" | "source"], _) => &kinds::CHANGED_TEXT,
-        ([id, ..], _) => length(both(id).is_some_and(|(old, new)| is_longer(&old, &new))),
+        ([id, ..], _) => length(both(id).is_some_and(|(old, new)| is_longer(old, new))),
         ([], _) => &kinds::CHANGED_TEXT,
     }
 }
@@ -40,17 +43,15 @@ fn is_longer(old: &CycleTime, new: &CycleTime) -> bool {
     lost && !new.choices.is_empty() || limited || new.min > old.min
 }
 
-pub(super) fn dead_time(path: &[&str], difference: &Difference) -> &'static Kind {
+pub(super) fn dead_time(versions: Versions<'_>, path: &[&str], difference: &Difference) -> &'static Kind {
+    let (old, new) = (versions.old.dead_time.as_ref(), versions.new.dead_time.as_ref());
     match (path, presence(difference)) {
         ([], Presence::Gone) => &kinds::SHORTENED_TIME,
         ([], _) => &kinds::LENGTHENED_TIME,
-        (["cycles" | "plus"], _) => length(number(&difference.second) > number(&difference.first)),
+        (["cycles"], _) => length(new.map(|time| time.cycles) > old.map(|time| time.cycles)),
+        (["plus"], _) => length(new.map(|time| time.plus) > old.map(|time| time.plus)),
         _ => &kinds::CHANGED_TEXT,
     }
-}
-
-fn number(shown: &Option<String>) -> Option<u64> {
-    shown.as_deref()?.split(' ').next()?.parse().ok()
 }
 
 fn length(is_longer: bool) -> &'static Kind {
