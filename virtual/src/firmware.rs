@@ -1,0 +1,35 @@
+//! What stands behind the EtherCAT subdevice controller.
+
+use std::time::Duration;
+
+use devc_runtime::esm::{AlControl, AlStatus, AlStatusCode, Configured};
+
+/// The firmware of a device, as its EtherCAT subdevice controller (ESC) sees it: the controller has the memory, the
+/// sync managers and the wire; the firmware has the states, the mailbox and what process data means.
+pub trait Firmware {
+    /// A master wrote AL control. `managers` are the settings of sync managers 0 to 3 at that moment.
+    fn request(&mut self, control: AlControl, managers: &[Configured; 4]);
+
+    /// What AL status and AL status code show.
+    fn status(&self) -> (AlStatus, AlStatusCode);
+
+    /// A master wrote a message into the mailbox: writes the answer and tells its length, 0 if there is none. `answer` is
+    /// as long as the sync manager of mail to the master.
+    fn mail(&mut self, message: &[u8], answer: &mut [u8]) -> usize;
+
+    /// The master has read the last message, and the mailbox is free: the next piece of an answer, or an emergency. Its
+    /// length, 0 if there is nothing to say.
+    fn more_mail(&mut self, answer: &mut [u8]) -> usize;
+
+    /// New process data from the master.
+    fn outputs(&mut self, image: &[u8]);
+
+    /// The process data for the master, as it is now.
+    fn inputs(&mut self, image: &mut [u8]);
+
+    /// No outputs came in the time of the watchdog.
+    fn watchdog_expired(&mut self);
+
+    /// Time goes on.
+    fn step(&mut self, elapsed: Duration);
+}
