@@ -40,7 +40,8 @@ impl Homing {
 
     /// One cycle with the start bit; its rising edge starts the run, and the run ends when it falls.
     pub(super) fn cycle(&mut self, is_given: bool, run: Run, plant: &mut Plant, time: f64) {
-        let is_new = is_given && !std::mem::replace(&mut self.is_given, is_given);
+        let was_given = std::mem::replace(&mut self.is_given, is_given);
+        let is_new = is_given && !was_given;
         if is_new {
             (self.is_attained, self.has_failed) = (false, run.method.is_none());
             self.left = run.method.map(|_| SEARCH);

@@ -26,7 +26,8 @@ impl SetPoints {
     /// One cycle: what the master gives, and where the axis should be.
     pub(super) fn cycle(&mut self, controlword: u16, offered: f64, dynamics: Dynamics, time: f64) -> f64 {
         let is_given = controlword & NEW_SET_POINT != 0;
-        let is_new = is_given && !std::mem::replace(&mut self.is_given, is_given);
+        let was_given = std::mem::replace(&mut self.is_given, is_given);
+        let is_new = is_given && !was_given;
         if is_new && self.next.is_none() {
             self.take(controlword, offered);
         }

@@ -46,14 +46,14 @@ impl Tables {
     pub(crate) fn new(device: &Device) -> &'static Self {
         let homes = homes(device);
         let mailbox = device.mailbox.as_ref();
-        let names =
-            mailbox.is_some_and(|mailbox| mailbox.sdo_info).then(|| forever::value(table::names(&homes)));
+        let has_names = mailbox.is_some_and(|mailbox| mailbox.sdo_info);
+        let names = has_names.then(|| forever::value(table::names(&homes)));
         let kept = homes.iter().filter(|home| !home.kept.is_empty());
         let defaults = kept.map(|home| home.kept.iter().map(|entry| default(entry)).collect());
         forever::value(Self {
             dictionary: table::dictionary(&homes),
             ranges: rights::ranges(&homes),
-            names: names.map(|names| &*names),
+            names,
             rules: rules::rules(device),
             has_complete_access: mailbox.is_some_and(|mailbox| mailbox.complete_access),
             defaults: defaults.collect(),
