@@ -1,5 +1,19 @@
 //! A description becomes a drive on the wire, before there is hardware.
+//!
+//! A [`Subdevice`] is an EtherCAT subdevice controller with a [`Firmware`] behind it; a [`Wire`] takes frames through one or
+//! several of them, as bytes to bytes.
 
+mod cycles;
+mod esc;
+mod event;
 mod firmware;
+mod frame;
+mod mail;
+mod subdevice;
+mod wire;
 
+pub use cycles::Cycles;
+pub use event::{Event, ManagerFault, Wrong};
 pub use firmware::Firmware;
+pub use subdevice::Subdevice;
+pub use wire::Wire;
