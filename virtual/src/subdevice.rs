@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode};
+use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Configured};
 
 use crate::Firmware;
 use crate::cycles::Cycles;
@@ -21,8 +21,11 @@ pub struct Subdevice<F> {
     controller: Controller,
     /// What AL status shows.
     status: (AlStatus, AlStatusCode),
-    /// The last message out, for a master that did not see it.
+    /// The sync managers of process data as the firmware has judged them.
+    judged: [Configured; 2],
+    /// The last message out, for a master that did not see it; and the next one, while it is made.
     last_mail: Vec<u8>,
+    draft: Vec<u8>,
     inputs: Vec<u8>,
     cycles: Cycles,
 }
@@ -31,7 +34,8 @@ impl<F: Firmware> Subdevice<F> {
     /// A subdevice with this firmware and this image in its EEPROM (ETG.1000.6, subdevice information interface).
     pub fn new(mut firmware: F, eeprom: Vec<u8>) -> Self {
         let (areas, _) = firmware.expected();
-        let mails = [areas.mailbox_out, areas.mailbox_in, areas.boot_out, areas.boot_in].map(|area| (area, 1));
+        let mails =
+            [areas.mailbox_out, areas.mailbox_in, areas.boot_out, areas.boot_in].map(|area| (area, 1));
         let process = [areas.outputs, areas.inputs].map(|area| (area, 3));
         let ends = mails.into_iter().chain(process).filter_map(|(area, buffers)| {
             let area = area?;
@@ -40,8 +44,17 @@ impl<F: Firmware> Subdevice<F> {
         let mut controller = Controller::new(eeprom, ends.max().unwrap_or(0));
         let status = firmware.status();
         controller.show_status(status.0, status.1);
-        let (last_mail, inputs) = (Vec::new(), Vec::new());
-        Self { firmware, controller, status, last_mail, inputs, cycles: Cycles::default() }
+        let (last_mail, draft, inputs) = (Vec::new(), Vec::new(), Vec::new());
+        Self {
+            firmware,
+            controller,
+            status,
+            judged: Default::default(),
+            last_mail,
+            draft,
+            inputs,
+            cycles: Cycles::default(),
+        }
     }
 
     /// The state that AL status shows; none if it shows none.
@@ -79,12 +92,13 @@ impl<F: Firmware> Subdevice<F> {
             self.request(AlControl(control));
         }
         self.exchange_mail();
-        if self.exchanges() {
+        if self.is_exchanging() && self.is_as_judged() {
             self.take_outputs();
         }
+        self.watch_outputs();
         self.firmware.step(elapsed);
         self.follow(None);
-        if self.exchanges() {
+        if self.is_exchanging() && self.is_as_judged() {
             self.give_inputs();
         }
     }
@@ -92,6 +106,10 @@ impl<F: Firmware> Subdevice<F> {
     fn request(&mut self, control: AlControl) {
         let managers = self.controller.settings();
         self.firmware.request(control, &managers);
+        if !self.is_exchanging() {
+            let [_, _, outputs, inputs] = managers;
+            self.judged = [outputs, inputs];
+        }
         self.follow(Some(control));
     }
 
@@ -114,6 +132,7 @@ impl<F: Firmware> Subdevice<F> {
         if old != state && !matches!(state, Some(AlState::SafeOperational | AlState::Operational)) {
             self.controller.stop();
             self.cycles.stop();
+            self.last_mail.clear();
         }
         self.controller.events.extend(event);
     }
@@ -129,23 +148,34 @@ impl<F: Firmware> Subdevice<F> {
         if !into.is_free() || self.status.0.0 & 0x0F == AlState::Init as u16 {
             return;
         }
-        let mut answer = vec![0; into.settings().length.into()];
+        self.draft.resize(into.settings().length.into(), 0);
         let length = match out.take(memory) {
-            Some(message) => self.firmware.mail(message, &mut answer),
-            None => self.firmware.more_mail(&mut answer),
+            Some(message) => self.firmware.mail(message, &mut self.draft),
+            None => self.firmware.more_mail(&mut self.draft),
         };
         if length == 0 {
             return;
         }
-        answer.truncate(length);
-        events.extend(mail::complaint(&answer));
-        into.give(memory, &answer);
-        self.last_mail = answer;
+        self.draft.truncate(length);
+        events.extend(mail::complaint(&self.draft));
+        into.give(memory, &self.draft);
+        std::mem::swap(&mut self.last_mail, &mut self.draft);
     }
 
     /// Whether process data is exchanged: in Safe-Operational and Operational.
-    fn exchanges(&self) -> bool {
+    fn is_exchanging(&self) -> bool {
         matches!(self.state(), Some(AlState::SafeOperational | AlState::Operational))
+    }
+
+    /// Whether process data is as long as the firmware expects. A master that changes a sync manager of process data has to
+    /// leave Safe-Operational before.
+    fn is_as_judged(&mut self) -> bool {
+        let [_, _, outputs, inputs] = self.controller.settings();
+        let is_as_judged = self.judged == [outputs, inputs];
+        if !is_as_judged {
+            self.controller.events.push(Event::ManagersChanged);
+        }
+        is_as_judged
     }
 
     fn take_outputs(&mut self) {
@@ -157,6 +187,9 @@ impl<F: Firmware> Subdevice<F> {
         if let Some(at) = self.controller.outputs_at.take() {
             self.cycles.count(at);
         }
+    }
+
+    fn watch_outputs(&mut self) {
         if self.controller.watchdog.is_expired() && self.state() == Some(AlState::Operational) {
             let timeout = Duration::from_nanos(self.controller.watchdog.timeout_ns());
             self.controller.events.push(Event::WatchdogExpired { timeout });

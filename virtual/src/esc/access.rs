@@ -111,10 +111,11 @@ impl Controller {
         let (mut is_any, mut done) = (false, 0);
         while let Some((here, manager, length)) = self.part(address, done, data.len()) {
             let Some(part) = data.get_mut(done..done + length) else { break };
-            is_any |= match manager.and_then(|(number, offset)| Some((self.managers.get_mut(number)?, offset))) {
-                None => self.memory.read(here, part),
-                Some((manager, offset)) => manager.read(&self.memory, offset, part) != Accessed::Denied,
-            };
+            is_any |=
+                match manager.and_then(|(number, offset)| Some((self.managers.get_mut(number)?, offset))) {
+                    None => self.memory.read(here, part),
+                    Some((manager, offset)) => manager.read(&self.memory, offset, part) != Accessed::Denied,
+                };
             done += length;
         }
         is_any

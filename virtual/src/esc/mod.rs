@@ -11,7 +11,6 @@ pub(crate) mod registers;
 mod watchdog;
 mod written;
 
-pub(crate) use clock::Clock;
 pub(crate) use controller::Controller;
 use fmmu::Fmmu;
 pub(crate) use manager::SyncManager;

@@ -35,6 +35,8 @@ pub(crate) const SYNC_ACTIVATION: u16 = 0x0981;
 pub(crate) const SYNC_PULSE: u16 = 0x0982;
 pub(crate) const SYNC_START: u16 = 0x0990;
 pub(crate) const SYNC0_CYCLE: u16 = 0x09A0;
+/// Memory for masters and firmware, of no meaning to the controller.
+const USER: u16 = 0x0F80;
 /// Where the memory of process data begins.
 pub(crate) const RAM: u16 = 0x1000;
 
@@ -45,7 +47,7 @@ pub(crate) const MANAGER_SIZE: u16 = 8;
 pub(crate) const COUNT: u16 = 8;
 
 /// What a master may write below the memory of process data: first byte, and number of bytes.
-const WRITABLE: [(u16, u16); 24] = [
+const WRITABLE: [(u16, u16); 25] = [
     (STATION, 2),
     (0x0020, 2),
     (0x0030, 2),
@@ -70,6 +72,7 @@ const WRITABLE: [(u16, u16); 24] = [
     (SPEED_START, 6),
     (0x0980, 2),
     (SYNC_START, 26),
+    (USER, 0x80),
 ];
 
 /// Whether a master may write a register.

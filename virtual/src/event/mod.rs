@@ -64,6 +64,8 @@ pub enum Event {
         /// Their numbers.
         managers: (usize, usize),
     },
+    /// A sync manager of process data was changed while process data is exchanged, which then stands still.
+    ManagersChanged,
     /// A datagram went to a station that there is not.
     NoStation {
         /// The station address.
@@ -113,6 +115,9 @@ impl fmt::Display for Event {
                 write!(f, "sync managers {first} and {second} share memory")?;
                 f.write_str("; those of process data take three times their length")
             }
+            Self::ManagersChanged => f.write_str(
+                "process data stands still, as its sync managers were changed behind Pre-Operational",
+            ),
             Self::NoStation { station } => {
                 write!(f, "a datagram went to station 0x{station:04X}, which there is not")
             }
