@@ -8,12 +8,18 @@ mod esc;
 mod event;
 mod firmware;
 mod frame;
+#[cfg(feature = "raw-socket")]
+mod interface;
 mod mail;
 mod subdevice;
+mod trace;
 mod wire;
 
 pub use cycles::Cycles;
 pub use event::{Event, ManagerFault, Wrong};
 pub use firmware::Firmware;
+#[cfg(feature = "raw-socket")]
+pub use interface::Interface;
 pub use subdevice::Subdevice;
+pub use trace::{Trace, Way};
 pub use wire::Wire;

@@ -22,8 +22,15 @@ fn run<R, F: Future<Output = R>>(
     let (mut to_wire, mut from_wire, pdu_loop) = storage.try_split().expect("once");
     let config = MainDeviceConfig { dc_static_sync_iterations: 100, ..MainDeviceConfig::default() };
     // nothing is late on this wire but what never comes
-    let timeouts =
-        Timeouts { pdu: Duration::from_secs(2), wait_loop_delay: Duration::ZERO, ..Timeouts::default() };
+    let long = Duration::from_secs(20);
+    let timeouts = Timeouts {
+        state_transition: long,
+        pdu: long,
+        eeprom: long,
+        wait_loop_delay: Duration::ZERO,
+        mailbox_echo: long,
+        mailbox_response: long,
+    };
     let maindevice = Box::leak(Box::new(MainDevice::new(pdu_loop, timeouts, config)));
     let mut wire: Wire<Any> = Wire::new(subdevices.into_iter().map(Device::subdevice).collect());
     let carry = async {

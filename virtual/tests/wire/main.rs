@@ -13,3 +13,4 @@ mod mapping;
 mod master;
 mod served;
 mod states;
+mod trace;
