@@ -24,6 +24,7 @@ mod lookup;
 mod meaning;
 mod mode;
 mod object;
+mod on_axis;
 mod parameter;
 mod pattern;
 mod pdo;
