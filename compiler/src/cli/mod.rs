@@ -21,6 +21,7 @@ mod paths;
 mod report;
 mod rules;
 mod schema;
+mod sums;
 mod timings;
 mod workers;
 mod workplace;

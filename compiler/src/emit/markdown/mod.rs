@@ -16,7 +16,7 @@ mod table;
 #[cfg(feature = "diff")]
 pub(crate) use inline::text as escaped;
 
-use super::{Emitter, Options};
+use super::{Emitter, Files, Options};
 use crate::lint::Checked;
 use crate::model::Family;
 use crate::text::characters::harmless;
@@ -34,7 +34,18 @@ impl Emitter for Markdown {
         "the reference chapter of a manual"
     }
 
-    fn emit(&self, family: &Checked<Family>, options: &Options) -> String {
-        harmless(&document::document(family, options.editorial)).into_owned()
+    fn ends(&self) -> &'static [&'static str] {
+        &[".md"]
+    }
+
+    fn is_default(&self) -> bool {
+        true
+    }
+
+    fn emit(&self, family: &Checked<Family>, options: &Options) -> Files {
+        Files::one(
+            format!("{}.md", family.id),
+            harmless(&document::document(family, options.editorial)).into_owned(),
+        )
     }
 }
