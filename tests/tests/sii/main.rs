@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod corners;
+mod hex;
 mod like_esi;
 mod reader;
 mod sizes;
