@@ -28,6 +28,7 @@ mod machine;
 mod meaning;
 mod mode;
 mod object;
+mod on_axis;
 mod parameter;
 mod pattern;
 mod pdo;
