@@ -1,7 +1,7 @@
-//! Types, rights and bounds of entries, from the words of the model to those of the runtime.
+//! Rights and bounds of entries, from the words of the model to those of the runtime.
 
-use devc::model::{self, Access, Bounds, Entry, Mappable};
-use devc_runtime::sdo::{self, DataType, Limits, Place, Range};
+use devc::model::{Access, Bounds, Entry, Mappable};
+use devc_runtime::sdo::{self, Limits, Place, Range};
 
 use super::Home;
 use crate::drive::forever;
@@ -31,39 +31,6 @@ fn written(entry: &Entry) -> sdo::Access {
             let within = states.into_iter().zip(window.states()).filter(|(_, is_within)| *is_within);
             within.fold(sdo::Access(0), |all, (state, _)| all.and(state))
         }
-    }
-}
-
-/// The number of a type (ETG.1020, base data types).
-pub(super) fn data_type(data_type: model::DataType) -> DataType {
-    use model::DataType as Type;
-    match data_type {
-        Type::Bool => DataType::BOOLEAN,
-        Type::Int(8) => DataType::INTEGER8,
-        Type::Int(16) => DataType::INTEGER16,
-        Type::Int(24) => DataType::INTEGER24,
-        Type::Int(32) => DataType::INTEGER32,
-        Type::Int(40) => DataType::INTEGER40,
-        Type::Int(48) => DataType::INTEGER48,
-        Type::Int(56) => DataType::INTEGER56,
-        Type::Int(_) => DataType::INTEGER64,
-        Type::Uint(8) => DataType::UNSIGNED8,
-        Type::Uint(16) => DataType::UNSIGNED16,
-        Type::Uint(24) => DataType::UNSIGNED24,
-        Type::Uint(32) => DataType::UNSIGNED32,
-        Type::Uint(40) => DataType::UNSIGNED40,
-        Type::Uint(48) => DataType::UNSIGNED48,
-        Type::Uint(56) => DataType::UNSIGNED56,
-        Type::Uint(_) => DataType::UNSIGNED64,
-        Type::Real32 => DataType::REAL32,
-        Type::Real64 => DataType::REAL64,
-        Type::Text(_) => DataType::VISIBLE_STRING,
-        Type::Octets(_) => DataType::OCTET_STRING,
-        Type::Unicode(_) => DataType::UNICODE_STRING,
-        Type::Bitstring(8) => DataType(0x001E),
-        Type::Bitstring(16) => DataType(0x001F),
-        Type::Bitstring(_) => DataType(0x0020),
-        Type::Bits(bits) => DataType(0x002F_u16.saturating_add(bits.into())),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use devc::model::{Entry, Kind};
-use devc_runtime::sdo::{Dictionary, EntryInfo, NONE, Names, ObjectCode, ObjectInfo, Page};
+use devc_runtime::sdo::{DataType, Dictionary, EntryInfo, NONE, Names, ObjectCode, ObjectInfo, Page};
 
 use super::{Home, bytes, rights};
 use crate::drive::forever;
@@ -63,7 +63,7 @@ fn info(home: &Home<'_>, entry: &Entry) -> EntryInfo {
     EntryInfo {
         subindex: entry.address.subindex,
         item: item(home, entry).unwrap_or(EntryInfo::CONSTANT),
-        data_type: rights::data_type(entry.data_type),
+        data_type: DataType(entry.data_type.code()),
         bits: u16::try_from(entry.data_type.bits()).unwrap_or(u16::MAX),
         access: rights::access(entry),
     }
