@@ -1,69 +1,16 @@
 //! A master in a few lines: a drive with its mailbox and process data, without a wire between.
 
-use std::path::Path;
-use std::sync::LazyLock;
 use std::time::Duration;
 
-use devc::model::{Address, Configuration, Device, Direction, Index, Pdo, Role, SyncManager};
-use devc::source::Disk;
+use devc::model::{Address, Configuration, Device, Direction, Role, SyncManager};
 use devc_runtime::coe::{Emergency, Envelope, Request, Response, Service};
 use devc_runtime::esm::{AlControl, AlState, AlStatusCode, Configured};
 use devc_runtime::{object, sdo::AbortCode};
 use devc_virtual::Firmware;
-use devc_virtual::drive::{Drive, Model};
+use devc_virtual::drive::Drive;
 
-/// Every device that is shipped, compiled once.
-static DEVICES: LazyLock<Vec<(Device, Model)>> = LazyLock::new(|| {
-    let families = ["c887", "s700", "pmc-sc6"].map(|name| {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices").join(name);
-        devc::compile(&Disk, &folder).family.expect("the description has no errors")
-    });
-    let members = families.iter().flat_map(|family| &family.members);
-    members.map(|device| (device.clone(), Model::new(device))).collect()
-});
-
-pub(crate) fn devices() -> impl Iterator<Item = &'static Device> {
-    DEVICES.iter().map(|(device, _)| device)
-}
-
-pub(crate) fn device(id: &str) -> &'static Device {
-    devices().find(|device| device.id == id).expect("it is a member")
-}
-
-/// Where entries lie in the process data of a direction: first bit and width.
-#[derive(Default)]
-pub(crate) struct Layout {
-    entries: Vec<(Address, usize, usize)>,
-    bits: usize,
-}
-
-impl Layout {
-    /// What a device carries by default, or as a configuration has changed it.
-    fn new(device: &Device, way: Direction, chosen: Option<&Configuration>) -> Self {
-        let default = || device.assigned(Role::of(way)).map(|pdo| pdo.index).collect::<Vec<Index>>();
-        let pdos = chosen.and_then(|it| it.assigned(way)).map_or_else(default, <[Index]>::to_vec);
-        let is_written =
-            |index| chosen.is_some_and(|it| it.startup.iter().any(|write| write.address.index == index));
-        let own = |index| chosen?.mapping.iter().find(|pdo: &&Pdo| pdo.index == index && is_written(index));
-        let mut layout = Self::default();
-        for index in pdos {
-            let pdo = own(index).or_else(|| device.pdo(index)).expect("there is such a PDO");
-            for entry in &pdo.entries {
-                layout.entries.extend(entry.address.map(|it| (it, layout.bits, entry.bits as usize)));
-                layout.bits += entry.bits as usize;
-            }
-        }
-        layout
-    }
-
-    pub(crate) fn bytes(&self) -> usize {
-        self.bits.div_ceil(8)
-    }
-
-    fn place(&self, address: Address) -> Option<(usize, usize)> {
-        self.entries.iter().find(|(of, ..)| *of == address).map(|(_, from, width)| (*from, *width))
-    }
-}
+use crate::shared::{Layout, model, number, on};
+pub(crate) use crate::shared::{device, devices};
 
 /// A drive, and what a master has of it.
 pub(crate) struct Bench {
@@ -87,8 +34,7 @@ impl Bench {
         let outputs = Layout::new(device, Direction::Rx, chosen);
         let inputs = Layout::new(device, Direction::Tx, chosen);
         let (image, received) = (vec![0; outputs.bytes()], vec![0; inputs.bytes()]);
-        let (_, model) = DEVICES.iter().find(|(of, _)| of.id == device.id).expect("it is a member");
-        let drive = Drive::new(*model);
+        let drive = Drive::new(model(device));
         Self { drive, device, outputs, inputs, image, received, counter: 0 }
     }
 
@@ -198,8 +144,7 @@ impl Bench {
 
     /// An address on an axis by that on the first.
     pub(crate) fn on(&self, axis: usize, index: u16, subindex: u8) -> Address {
-        let shifted = self.device.repetition(Index(index)).map(|it| it.axes[axis].expect("the axis has it"));
-        Address { index: shifted.unwrap_or(Index(index)), subindex }
+        on(self.device, axis, index, subindex)
     }
 
     /// Whether an axis has an entry.
@@ -209,15 +154,11 @@ impl Bench {
 
     /// Sends a value: in process data if it is mapped, else by the mailbox.
     pub(crate) fn set(&mut self, address: Address, value: i64) {
-        let Some((from, width)) = self.outputs.place(address) else {
+        if !self.outputs.write(&mut self.image, address, value) {
             let entry = self.device.entry(address).expect("it is in the dictionary");
             let length = entry.data_type.bytes() as usize;
             let written = self.download(address, &value.to_le_bytes()[..length]);
-            return assert_eq!(written, Ok(()), "{address} of {}", self.device.name);
-        };
-        for bit in 0..width {
-            let (byte, mask) = ((from + bit) / 8, 1 << ((from + bit) % 8));
-            self.image[byte] = self.image[byte] & !mask | if value >> bit & 1 == 1 { mask } else { 0 };
+            assert_eq!(written, Ok(()), "{address} of {}", self.device.name);
         }
     }
 
@@ -225,17 +166,11 @@ impl Bench {
     pub(crate) fn get(&mut self, address: Address) -> i64 {
         let entry = self.device.entry(address).expect("it is in the dictionary");
         let is_signed = matches!(entry.data_type, devc::model::DataType::Int(_));
-        let bits: Vec<bool> = match self.inputs.place(address) {
-            Some((from, width)) => {
-                (from..from + width).map(|bit| self.received[bit / 8] >> (bit % 8) & 1 == 1).collect()
-            }
-            None => {
-                let bytes = self.upload(address).expect("it can be read");
-                (0..bytes.len() * 8).map(|bit| bytes[bit / 8] >> (bit % 8) & 1 == 1).collect()
-            }
-        };
-        let start = if is_signed && bits.last() == Some(&true) { -1 } else { 0 };
-        bits.iter().rev().fold(start, |high, bit| high << 1 | i64::from(*bit))
+        let bits = self.inputs.read(&self.received, address).unwrap_or_else(|| {
+            let bytes = self.upload(address).expect("it can be read");
+            (0..bytes.len() * 8).map(|bit| bytes[bit / 8] >> (bit % 8) & 1 == 1).collect()
+        });
+        number(&bits, is_signed)
     }
 
     /// A millisecond: outputs, what the drive does, inputs.

@@ -6,3 +6,5 @@ mod communication;
 mod faults;
 mod homing;
 mod modes;
+#[path = "../shared/mod.rs"]
+mod shared;

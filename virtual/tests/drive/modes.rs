@@ -155,9 +155,6 @@ fn velocity_mode_follows_its_three_bits() {
 #[test]
 fn torques_are_followed_and_turn_the_axis() {
     for code in [4, 10] {
-        if code == 4 && device("single").modes.iter().all(|mode| mode.code != 4) {
-            continue;
-        }
         each_with(code, |bench, _| {
             for axis in bench.axes() {
                 bench.set(bench.on(axis, 0x6071, 0), 200 - 300 * axis as i64);
