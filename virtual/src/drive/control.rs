@@ -2,9 +2,10 @@
 
 use devc_runtime::cia402::{Coupled, Drive, Events, Machine, State, Step};
 
-/// As many axes as can share a state. The runtime counts axes when it is compiled; places that no axis has do what the
-/// first does, so that they neither hinder the others nor act for them.
-const MOST: usize = 64;
+/// As many axes as can share a state: those that CiA 402 has room for, 0x800 indices each from 0x6000 on. The runtime counts
+/// axes when it is compiled; places that no axis has do what the first does, so that they neither hinder the others nor act
+/// for them.
+const MOST: usize = 8;
 
 /// The machines.
 #[derive(Debug, Clone)]
