@@ -1,6 +1,6 @@
-//! The command line: one file a subcommand.
+//! The command line of devc: one file a subcommand.
 //!
-//! It alone writes files, prints and looks at the clock; all else it asks of the library.
+//! It alone writes files, prints and looks at the clock; all else it asks of the libraries.
 
 mod baseline;
 mod build;
@@ -95,8 +95,7 @@ Exit codes:
   1  findings: errors in a description, or outputs that are not up to date
   2  devc could not run: bad arguments, no such description, an output that cannot be written";
 
-/// Does what the arguments say.
-pub(crate) fn run() -> ExitCode {
+fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let report = Report::new(arguments.color);
     let outcome = match &arguments.command {
