@@ -19,6 +19,7 @@ mod profiles;
 pub mod raw;
 mod resolve;
 pub mod rules;
+pub mod sii;
 pub mod source;
 pub mod text;
 

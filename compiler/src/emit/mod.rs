@@ -8,11 +8,14 @@ mod dangerous;
 mod escape;
 #[cfg(feature = "esi")]
 pub mod esi;
+mod identifier;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "markdown")]
 pub mod markdown;
 pub mod rust;
+#[cfg(feature = "sii")]
+pub mod sii;
 
 use std::collections::BTreeMap;
 
@@ -62,6 +65,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &json::Json,
     #[cfg(feature = "rust")]
     &rust::Rust,
+    #[cfg(feature = "sii")]
+    &sii::Sii,
 ];
 
 /// Files by name, in the folder of the family.
