@@ -61,7 +61,15 @@ fn modules_look_only_downwards() {
 #[test]
 fn files_and_functions_are_short() {
     let written = ["compiler/src", "cli/src", "macros/src", "runtime/src", "virtual/src"];
-    let tests = ["compiler/tests", "cli/tests", "macros/tests", "runtime/tests", "virtual/tests", "tests", "examples"];
+    let tests = [
+        "compiler/tests",
+        "cli/tests",
+        "macros/tests",
+        "runtime/tests",
+        "virtual/tests",
+        "tests",
+        "examples",
+    ];
     let written = written.iter().flat_map(|folder| sources(folder));
     let (tests_inside, code): (Vec<Code>, Vec<Code>) = written.partition(Code::is_test);
     let tests = tests.iter().flat_map(|folder| sources(folder)).chain(tests_inside);
