@@ -11,6 +11,10 @@ use std::process::{Child, Command, Stdio};
 
 use serde_json::{Value, json};
 
+/// The ends of the cable.
+const MASTER: &str = "veth-master";
+const DEVICES: &str = "veth-devices";
+
 /// A network namespace with a cable in it, and the devices at one end.
 struct Network {
     name: String,
@@ -23,10 +27,13 @@ impl Network {
         let name = format!("devc-{name}-{}", std::process::id());
         ip(&["netns", "add", &name])?;
         let network = Self { name, devc: None };
-        let name = network.name.as_str();
-        ip(&["-n", name, "link", "add", "master", "type", "veth", "peer", "name", "devices"])?;
-        ip(&["-n", name, "link", "set", "master", "up"])?;
-        ip(&["-n", name, "link", "set", "devices", "up"])?;
+        let link = |arguments: &[&str]| {
+            let command = [&["-n", &network.name, "link"], arguments].concat();
+            ip(&command).unwrap_or_else(|| panic!("ip {command:?}"));
+        };
+        link(&["add", MASTER, "type", "veth", "peer", "name", DEVICES]);
+        link(&["set", MASTER, "up"]);
+        link(&["set", DEVICES, "up"]);
         Some(network)
     }
 
@@ -39,7 +46,7 @@ impl Network {
     /// Starts devc, and waits until it says that it waits.
     fn run(&mut self, arguments: &[&str]) {
         let mut command = self.command(env!("CARGO_BIN_EXE_devc"));
-        command.args(["run", "--interface", "devices", "--for", "2min"]).args(arguments);
+        command.args(["run", "--interface", DEVICES, "--for", "2min"]).args(arguments);
         let mut devc = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("devc runs");
         let told = BufReader::new(devc.stderr.take().expect("a pipe"));
         self.devc = Some(devc);
@@ -49,7 +56,7 @@ impl Network {
     /// Lets SOEM bring all to Operational, and tells what it saw.
     fn master(&self, cycles: u32) -> Value {
         let script = "cli/tests/soem/master.py";
-        let master = self.command(&python()).args([script, "master", &cycles.to_string()]).output();
+        let master = self.command(&python()).args([script, MASTER, &cycles.to_string()]).output();
         let master = master.expect("Python runs");
         let said = String::from_utf8_lossy(&master.stderr);
         assert!(master.status.success(), "{said}{}", String::from_utf8_lossy(&master.stdout));
@@ -118,5 +125,5 @@ fn nine_devices_on_one_cable_come_to_operational() {
         seen["devices"].as_array().expect("a list").iter().map(|it| &it["lengths"]).collect();
     let expected = [[42, 66], [6, 6], [6, 6], [6, 6], [6, 6], [46, 58], [23, 29], [46, 58], [23, 29]];
     assert_eq!(lengths, expected.map(|lengths| json!(lengths)).iter().collect::<Vec<_>>());
-    assert_eq!((&seen["wrong"], &seen["states"]), (&json!(0), &json!([8; 9])));
+    assert_eq!((&seen["wrong"], &seen["states"]), (&json!(0), &json!(vec![8; 9])));
 }
