@@ -4,6 +4,7 @@
 //! several of them, as bytes to bytes.
 
 mod cycles;
+mod described;
 pub mod drive;
 mod esc;
 mod event;

@@ -13,7 +13,7 @@ use crate::mail;
 
 /// A subdevice: the controller on the wire, and behind it the firmware.
 ///
-/// The controller answers at once, while a frame passes. The firmware comes after that, by [`Subdevice::advance`].
+/// The controller answers at once, while a frame passes. The firmware comes after that, by [`Subdevice::work`].
 #[derive(Debug)]
 pub struct Subdevice<F> {
     /// The firmware.
@@ -28,6 +28,8 @@ pub struct Subdevice<F> {
     draft: Vec<u8>,
     inputs: Vec<u8>,
     cycles: Cycles,
+    /// The time that the firmware has not been told of yet.
+    elapsed: Duration,
 }
 
 impl<F: Firmware> Subdevice<F> {
@@ -54,6 +56,7 @@ impl<F: Firmware> Subdevice<F> {
             draft,
             inputs,
             cycles: Cycles::default(),
+            elapsed: Duration::ZERO,
         }
     }
 
@@ -85,9 +88,15 @@ impl<F: Firmware> Subdevice<F> {
         self.controller.pass(datagram)
     }
 
-    /// Time goes on, for the controller and for the firmware; and the firmware takes what has come.
-    pub fn advance(&mut self, elapsed: Duration) {
+    /// Time goes on for the controller: its clock, its watchdog, its EEPROM.
+    pub fn elapse(&mut self, elapsed: Duration) {
         self.controller.elapse(u64::try_from(elapsed.as_nanos()).unwrap_or(u64::MAX));
+        self.elapsed = self.elapsed.saturating_add(elapsed);
+    }
+
+    /// The firmware takes what has come, goes on by the time that has gone by, and gives what it has.
+    pub fn work(&mut self) {
+        let elapsed = std::mem::take(&mut self.elapsed);
         if let Some(control) = self.controller.al_control.take() {
             self.request(AlControl(control));
         }

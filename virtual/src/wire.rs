@@ -74,11 +74,20 @@ impl<F: Firmware> Wire<F> {
         }
     }
 
-    /// Time goes on for all.
+    /// Time goes on, and every firmware does what there is to do.
     pub fn advance(&mut self, elapsed: Duration) {
-        for subdevice in &mut self.subdevices {
-            subdevice.advance(elapsed);
-        }
+        self.elapse(elapsed);
+        self.work();
+    }
+
+    /// Time goes on for the controllers: to be told before a frame passes, as clocks tell when it did.
+    pub fn elapse(&mut self, elapsed: Duration) {
+        self.subdevices.iter_mut().for_each(|subdevice| subdevice.elapse(elapsed));
+    }
+
+    /// Every firmware does what there is to do: to be called when a frame has passed.
+    pub fn work(&mut self) {
+        self.subdevices.iter_mut().for_each(Subdevice::work);
     }
 
     /// What has happened since this was asked for last: at which position, if at one. What a master goes on doing wrong is

@@ -1,9 +1,13 @@
 //! The nine devices that are described, with facts from their manuals (C-887 p. 24; S700 3.1; what no manual gives, from the
 //! descriptions).
 
+use std::path::Path;
+
+use devc::source::Disk;
 use devc_generated::{c887, pmc_sc6, s700};
 use devc_runtime::Device as Identity;
 use devc_runtime::esm::{Area, Areas};
+use devc_virtual::drive::{Drive, Model};
 use devc_virtual::{Firmware, Subdevice};
 
 use crate::image;
@@ -83,4 +87,19 @@ pub(crate) fn all() -> Vec<Device> {
         device!(pmc_sc6::double_hires, DoubleHires, pmc_areas(), (46, 58), None),
         device!(pmc_sc6::single_hires, SingleHires, pmc_areas(), (23, 29), None),
     ]
+}
+
+/// The same nine, made of their descriptions while the test runs.
+pub(crate) fn described() -> Vec<Subdevice<Any>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices");
+    let mut subdevices = Vec::new();
+    for name in ["c887", "s700", "pmc-sc6"] {
+        let family = devc::compile(&Disk, &folder.join(name)).family.expect("a description without errors");
+        for device in &family.members {
+            let drive: Any = Box::new(Drive::new(Model::new(device)));
+            let image = devc::sii::image_of_any_size(device, &[0x08, 0x0C, 0, 0, 0, 0]);
+            subdevices.push(Subdevice::new(drive, image));
+        }
+    }
+    subdevices
 }

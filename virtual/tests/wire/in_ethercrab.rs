@@ -3,19 +3,19 @@
 use std::future::Future;
 use std::time::Duration;
 
-use devc_virtual::Wire;
+use devc_virtual::{Subdevice, Wire};
 use ethercrab::error::Error;
-use ethercrab::subdevice_group::{Op, PreOp};
-use ethercrab::{DefaultLock, MainDevice, MainDeviceConfig, PduStorage, SubDeviceGroup, Timeouts};
+use ethercrab::subdevice_group::{DcConfiguration, Op, PreOp};
+use ethercrab::{DcSync, DefaultLock, MainDevice, MainDeviceConfig, PduStorage, SubDeviceGroup, Timeouts};
 use futures_lite::future;
 
-use crate::devices::{Any, Device, all, c887, s700};
+use crate::devices::{Any, Device, all, c887, described, s700};
 
 type Group<State> = SubDeviceGroup<16, 1024, DefaultLock, State>;
 
 /// Runs what a master does at a wire.
 fn run<R, F: Future<Output = R>>(
-    subdevices: Vec<Device>,
+    subdevices: Vec<Subdevice<Any>>,
     master: impl FnOnce(&'static MainDevice<'static>) -> F,
 ) -> R {
     let storage: &'static PduStorage<16, 1536> = Box::leak(Box::new(PduStorage::new()));
@@ -32,7 +32,7 @@ fn run<R, F: Future<Output = R>>(
         mailbox_response: long,
     };
     let maindevice = Box::leak(Box::new(MainDevice::new(pdu_loop, timeouts, config)));
-    let mut wire: Wire<Any> = Wire::new(subdevices.into_iter().map(Device::subdevice).collect());
+    let mut wire: Wire<Any> = Wire::new(subdevices);
     let carry = async {
         loop {
             while let Some(sendable) = to_wire.next_sendable_frame() {
@@ -56,21 +56,21 @@ async fn found(maindevice: &MainDevice<'_>) -> Result<Group<PreOp>, Error> {
     maindevice.init_single_group::<16, 1024>(|| 0).await
 }
 
+/// The nine devices, made in two ways: of generated code, and of their descriptions.
+fn both() -> [Vec<Subdevice<Any>>; 2] {
+    [all().into_iter().map(Device::subdevice).collect(), described()]
+}
+
 #[test]
 fn all_nine_are_found_by_their_identity() {
-    let expected: Vec<_> = all().iter().map(|device| (device.name, device.identity)).collect();
-    let seen = run(all(), async |maindevice| {
-        let group = found(maindevice).await.expect("they are found");
-        let seen = group.iter(maindevice).map(|subdevice| {
-            let identity = subdevice.identity();
-            let identity = [identity.vendor_id, identity.product_id, identity.revision];
-            (subdevice.name().to_owned(), identity)
+    let expected: Vec<_> = all().iter().map(|device| device.identity).collect();
+    for subdevices in both() {
+        let seen = run(subdevices, async |maindevice| {
+            let group = found(maindevice).await.expect("they are found");
+            let identity = group.iter(maindevice).map(|subdevice| subdevice.identity());
+            identity.map(|it| [it.vendor_id, it.product_id, it.revision]).collect::<Vec<_>>()
         });
-        seen.collect::<Vec<_>>()
-    });
-    assert_eq!(seen.len(), 9);
-    for ((name, identity), (expected_name, expected)) in seen.iter().zip(&expected) {
-        assert_eq!((name.as_str(), identity), (*expected_name, expected));
+        assert_eq!(seen, expected);
     }
 }
 
@@ -78,26 +78,63 @@ fn all_nine_are_found_by_their_identity() {
 #[test]
 fn all_nine_come_to_operational() {
     let expected: Vec<_> = all().iter().map(|device| device.lengths).collect();
-    run(all(), async |maindevice| {
-        let group = found(maindevice).await.expect("they are found");
-        let group = group.into_safe_op(maindevice).await.expect("Safe-Operational");
-        for (subdevice, (outputs, inputs)) in group.iter(maindevice).zip(&expected) {
-            let io = subdevice.io_raw();
-            assert_eq!((io.outputs().len(), io.inputs().len()), (*outputs, *inputs), "{}", subdevice.name());
+    for subdevices in both() {
+        run(subdevices, async |maindevice| {
+            let group = found(maindevice).await.expect("they are found");
+            let group = group.into_safe_op(maindevice).await.expect("Safe-Operational");
+            for (subdevice, (outputs, inputs)) in group.iter(maindevice).zip(&expected) {
+                let (io, name) = (subdevice.io_raw(), subdevice.name());
+                assert_eq!((io.outputs().len(), io.inputs().len()), (*outputs, *inputs), "{name}");
+            }
+            group.tx_rx(maindevice).await.expect("outputs come before Operational");
+            let group: Group<Op> = group.into_op(maindevice).await.expect("Operational");
+            for _ in 0..100 {
+                // each reads and writes: 1 + 2
+                let response = group.tx_rx(maindevice).await.expect("a cycle");
+                assert_eq!(response.working_counter, 9 * 3);
+            }
+        });
+    }
+}
+
+/// The clocks are set and kept by the master, and every device has its SYNC0; the master's cycle follows them.
+#[test]
+fn all_nine_run_with_distributed_clocks() {
+    const PERIOD: Duration = Duration::from_millis(1);
+    run(described(), async |maindevice| {
+        let mut group = found(maindevice).await.expect("they are found");
+        for mut subdevice in group.iter_mut(maindevice) {
+            assert!(subdevice.dc_support().any());
+            subdevice.set_dc_sync(DcSync::Sync0);
         }
-        group.tx_rx(maindevice).await.expect("outputs come before Operational");
-        let group: Group<Op> = group.into_op(maindevice).await.expect("Operational");
+        let delays: Vec<u32> = group.iter(maindevice).map(|it| it.propagation_delay()).collect();
+        assert!(delays.is_sorted_by(|first, second| first < second), "{delays:?}");
+        let group = group.into_pre_op_pdi(maindevice).await.expect("process data");
+        let start_delay = Duration::from_millis(5);
+        let clocks = DcConfiguration { start_delay, sync0_period: PERIOD, sync0_shift: Duration::ZERO };
+        let group = group.configure_dc_sync(maindevice, clocks).await.expect("SYNC0");
+        let group = group.into_safe_op(maindevice).await.expect("Safe-Operational");
+        group.tx_rx_dc(maindevice).await.expect("outputs come before Operational");
+        let group = group.into_op(maindevice).await.expect("Operational");
+        let mut last = 0;
         for _ in 0..100 {
-            // each reads and writes: 1 + 2
-            let response = group.tx_rx(maindevice).await.expect("a cycle");
+            let response = group.tx_rx_dc(maindevice).await.expect("a cycle");
             assert_eq!(response.working_counter, 9 * 3);
+            assert!(response.extra.next_cycle_wait <= PERIOD);
+            assert!(response.extra.dc_system_time > last);
+            last = response.extra.dc_system_time;
+        }
+        for subdevice in group.iter(maindevice) {
+            // the difference to the first, in its amount
+            let difference: u32 = subdevice.register_read(0x092C_u16).await.expect("a register");
+            assert!(difference & 0x7FFF_FFFF < 1_000, "{difference:#010X}");
         }
     });
 }
 
 #[test]
 fn the_dictionary_is_read_and_written() {
-    run(vec![c887()], async |maindevice| {
+    run(vec![c887().subdevice()], async |maindevice| {
         let group = found(maindevice).await.expect("it is found");
         let hexapod = group.subdevice(maindevice, 0).expect("the first");
         assert_eq!(hexapod.sdo_read::<u32>(0x1018, 1).await, Ok(0x0000_076D));
@@ -111,7 +148,7 @@ fn the_dictionary_is_read_and_written() {
 /// What is mapped otherwise makes the process data as long.
 #[test]
 fn another_assignment_has_another_length() {
-    run(vec![s700()], async |maindevice| {
+    run(vec![s700().subdevice()], async |maindevice| {
         let group = found(maindevice).await.expect("it is found");
         let drive = group.subdevice(maindevice, 0).expect("the first");
         for (object, pdo) in [(0x1C12, 0x1706_u16), (0x1C13, 0x1B06)] {
