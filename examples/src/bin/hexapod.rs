@@ -13,7 +13,7 @@ use devc_generated::c887::{
 use devc_runtime::cia402::{Feedback, Goal, Homing, HomingProgress, Master, Mode, Timing};
 use devc_runtime::start_up::StartUp;
 use devc_runtime::unit::{Angle, Length, Motion, Unfit};
-use devc_virtual::drive::{Drive, Model};
+use devc_virtual::drive::Drive;
 use devc_virtual::{Subdevice, Wire};
 use ethercrab::{MainDevice, MainDeviceConfig, PduRx, PduStorage, PduTx, Timeouts};
 use ethercrab_wire::{EtherCrabWireRead, EtherCrabWireWrite};
@@ -45,13 +45,12 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The drive: what the description says, with an EEPROM of which no byte matters to a program.
+/// The drive, as the description has it.
 fn hexapod() -> Result<Subdevice<Drive>, Failure> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices/c887");
     let family = devc::compile(&Disk, &folder).family.ok_or("the description has errors")?;
     let device = family.members.first().ok_or("there is a member")?;
-    let eeprom = devc::sii::image_of_any_size(device, &[0; 6]);
-    Ok(Subdevice::new(Drive::new(Model::new(device)), eeprom))
+    Ok(Subdevice::of(device))
 }
 
 /// Takes each frame of the master through the wire; it takes a millisecond.
