@@ -82,7 +82,6 @@ async fn control(master: &MainDevice<'_>) -> Result<(), Failure> {
     for write in START_UP.writes::<{ START_UP.len() }>() {
         hexapod.sdo_write(write.address.index, write.address.subindex, write.data()).await?;
     }
-    drop(hexapod);
     let group = group.into_safe_op(master).await?;
     group.tx_rx(master).await?;
     let group = group.into_op(master).await?;

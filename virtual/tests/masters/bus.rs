@@ -88,7 +88,6 @@ pub(crate) async fn operational(master: &Master, chosen: Option<&Configuration>)
         let written = drive.sdo_write(write.address.index.0, write.address.subindex, &write.data[..]).await;
         written.unwrap_or_else(|error| panic!("{}: {error:?}", write.comment));
     }
-    drop(drive);
     let group = group.into_safe_op(master).await.expect("Safe-Operational");
     group.tx_rx(master).await.expect("outputs come");
     group.into_op(master).await.expect("Operational")
