@@ -8,6 +8,7 @@
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde_json::{Value, json};
 
@@ -19,14 +20,19 @@ const DEVICES: &str = "veth-devices";
 struct Network {
     name: String,
     devc: Option<Child>,
+    /// One after the other: two masters and their devices are more than some machines do in time.
+    _turn: MutexGuard<'static, ()>,
 }
+
+static TURN: Mutex<()> = Mutex::new(());
 
 impl Network {
     /// None where the kernel does not allow it.
     fn new(name: &str) -> Option<Self> {
+        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let name = format!("devc-{name}-{}", std::process::id());
         ip(&["netns", "add", &name])?;
-        let network = Self { name, devc: None };
+        let network = Self { name, devc: None, _turn: turn };
         let link = |arguments: &[&str]| {
             let command = [&["-n", &network.name, "link"], arguments].concat();
             ip(&command).unwrap_or_else(|| panic!("ip {command:?}"));
@@ -53,10 +59,11 @@ impl Network {
         assert!(told.lines().any(|line| line.expect("text").contains("waiting for a master")));
     }
 
-    /// Lets SOEM bring all to Operational, and tells what it saw.
-    fn master(&self, cycles: u32) -> Value {
+    /// Lets SOEM bring all to Operational and cycle, then move so many axes of the first; tells what it saw.
+    fn master(&self, cycles: u32, axes: usize) -> Value {
         let script = "cli/tests/soem/master.py";
-        let master = self.command(&python()).args([script, MASTER, &cycles.to_string()]).output();
+        let master =
+            self.command(&python()).args([script, MASTER, &cycles.to_string(), &axes.to_string()]).output();
         let master = master.expect("Python runs");
         let said = String::from_utf8_lossy(&master.stderr);
         assert!(master.status.success(), "{said}{}", String::from_utf8_lossy(&master.stdout));
@@ -104,22 +111,34 @@ fn network(name: &str) -> Option<Network> {
 
 /// What the manuals say: vendor (PI, p. 21 of the EtherCAT manual), and 42 and 66 bytes of process data by default (p. 24).
 #[test]
-fn the_hexapod_comes_to_operational_with_clocks() {
+fn the_hexapod_runs_with_clocks_and_its_axes_follow() {
     let Some(mut network) = network("hexapod") else { return };
     network.run(&["devices/c887"]);
-    let seen = network.master(5_000);
+    let seen = network.master(5_000, 6);
     assert_eq!(seen["count"], 1);
     assert_eq!(seen["devices"][0]["identity"], json!([0x076D, 3, 0]));
     assert_eq!(seen["devices"][0]["type"].as_u64().expect("a number") & 0xFFFF, 402);
     assert_eq!(seen["devices"][0]["lengths"], json!([42, 66]));
     assert_eq!((&seen["cycles"], &seen["wrong"], &seen["states"]), (&json!(5_000), &json!(0), &json!([8])));
+    // each axis is led another way, and is there when it has stopped
+    assert_eq!(seen["moved"]["asked"], json!([200, 400, 600, 800, 1000, 1200]));
+    assert_eq!(seen["moved"]["gone"], seen["moved"]["asked"]);
+}
+
+#[test]
+fn both_axes_of_the_pilz_drive_are_moved() {
+    let Some(mut network) = network("double") else { return };
+    network.run(&["devices/pmc-sc6", "--member", "double"]);
+    let seen = network.master(100, 2);
+    assert_eq!(seen["moved"]["asked"], json!([200, 400]));
+    assert_eq!(seen["moved"]["gone"], seen["moved"]["asked"]);
 }
 
 #[test]
 fn nine_devices_on_one_cable_come_to_operational() {
     let Some(mut network) = network("nine") else { return };
     network.run(&["devices/c887", "devices/s700", "devices/pmc-sc6"]);
-    let seen = network.master(1_000);
+    let seen = network.master(1_000, 0);
     assert_eq!(seen["count"], 9);
     let lengths: Vec<&Value> =
         seen["devices"].as_array().expect("a list").iter().map(|it| &it["lengths"]).collect();

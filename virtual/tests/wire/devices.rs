@@ -2,6 +2,7 @@
 //! descriptions).
 
 use std::path::Path;
+use std::sync::LazyLock;
 
 use devc::source::Disk;
 use devc_generated::{c887, pmc_sc6, s700};
@@ -91,15 +92,22 @@ pub(crate) fn all() -> Vec<Device> {
 
 /// The same nine, made of their descriptions while the test runs.
 pub(crate) fn described() -> Vec<Subdevice<Any>> {
+    static MODELS: LazyLock<Vec<(Model, Vec<u8>)>> = LazyLock::new(models);
+    let subdevice = |(model, image): &(Model, Vec<u8>)| {
+        let drive: Any = Box::new(Drive::new(*model));
+        Subdevice::new(drive, image.clone())
+    };
+    MODELS.iter().map(subdevice).collect()
+}
+
+/// What is made of each description once, with an image for its EEPROM.
+fn models() -> Vec<(Model, Vec<u8>)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices");
-    let mut subdevices = Vec::new();
+    let mut models = Vec::new();
     for name in ["c887", "s700", "pmc-sc6"] {
         let family = devc::compile(&Disk, &folder.join(name)).family.expect("a description without errors");
-        for device in &family.members {
-            let drive: Any = Box::new(Drive::new(Model::new(device)));
-            let image = devc::sii::image_of_any_size(device, &[0x08, 0x0C, 0, 0, 0, 0]);
-            subdevices.push(Subdevice::new(drive, image));
-        }
+        let image = |device| devc::sii::image_of_any_size(device, &[0x08, 0x0C, 0, 0, 0, 0]);
+        models.extend(family.members.iter().map(|device| (Model::new(device), image(device))));
     }
-    subdevices
+    models
 }
