@@ -236,7 +236,7 @@ impl Bench {
         self.cycles(4);
         for axis in self.axes() {
             let display = self.get(self.on(axis, 0x6061, 0));
-            assert_eq!(display, mode.into(), "{}, axis {axis}", self.device.name);
+            assert_eq!(display, i64::from(mode), "{}, axis {axis}", self.device.name);
         }
     }
 }
