@@ -26,6 +26,9 @@ const HAZARDS: &str = "\0\u{7}\u{8}\r\u{1B}[31m\u{7F}\u{85}\u{9B}31m\u{2028}\u{2
 /// stands before a subindex.
 const MARKUP: &str = "x'\"<b x=\"1\">&amp;]]>-->--*/ /*// | `a``b```[c](d)](#e \\\\ \\ {x} {{y}} {%z%} \nf\n# g\n- h\n\ti $j$ ~~k~~ %0A ;#";
 
+/// The ends of files that hold bytes, whatever the texts are.
+const BYTES: [&str; 2] = ["bin", "hex"];
+
 /// The text that is put at the end of others, and exchanged for dangerous ones when it is known where it can be.
 const MARK: &str = "qzq";
 
@@ -148,6 +151,9 @@ fn outputs(with: &str) -> Vec<(String, String)> {
         let files = emit(&family, ALL, &Options::default()).0;
         let texts = files.into_iter().filter_map(|(file, bytes)| {
             let (_, end) = file.rsplit_once('.')?;
+            if BYTES.contains(&end) {
+                return None;
+            }
             Some((format!("{name}.{end}"), String::from_utf8(bytes).ok()?))
         });
         texts.collect::<Vec<_>>()

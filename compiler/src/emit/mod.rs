@@ -10,11 +10,14 @@ mod escape;
 pub mod esi;
 #[cfg(feature = "html")]
 pub mod html;
+mod identifier;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "markdown")]
 pub mod markdown;
 pub mod rust;
+#[cfg(feature = "sii")]
+pub mod sii;
 
 use std::collections::BTreeMap;
 
@@ -66,6 +69,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &json::Json,
     #[cfg(feature = "rust")]
     &rust::Rust,
+    #[cfg(feature = "sii")]
+    &sii::Sii,
 ];
 
 /// Files by name, in the folder of the family.
