@@ -8,6 +8,8 @@ mod dangerous;
 mod escape;
 #[cfg(feature = "esi")]
 pub mod esi;
+#[cfg(feature = "html")]
+pub mod html;
 mod identifier;
 #[cfg(feature = "json")]
 pub mod json;
@@ -61,6 +63,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &esi::Esi,
     #[cfg(feature = "markdown")]
     &markdown::Markdown,
+    #[cfg(feature = "html")]
+    &html::Html,
     #[cfg(feature = "json")]
     &json::Json,
     #[cfg(feature = "rust")]

@@ -6,39 +6,49 @@ use super::family;
 use super::inline::text;
 use super::page::{Block, Item, Page};
 use crate::emit::escape::comment;
-use crate::model::{Device, Family};
+use crate::model::Family;
 use crate::text::characters::line;
 
 /// The whole document: a reference, or the references of a family as one.
 pub(super) fn document(family: &Family, editorial: bool) -> String {
-    let members: Vec<Context<'_>> =
-        family.members.iter().map(|device| Context::new(device, &[], editorial)).collect();
-    let bodies = family.members.iter().map(|device| body(&Context::new(device, &members, editorial)));
-    let bodies: Vec<Page> = bodies.collect();
-    let mut page = Page::default();
     let id = comment(&line(&family.id));
+    let mut page = Page::default();
     page.lines(format!("<!-- Made by devc from the description of {id}; not to be edited. -->"));
+    page.append(front(family));
+    page.append(body(family, editorial, true));
+    page.to_string()
+}
+
+/// What stands before the chapters.
+pub(in crate::emit) fn front(family: &Family) -> Page {
+    let mut page = Page::default();
     match family.members.as_slice() {
         [alone] => {
-            front(alone, &mut page);
-            bodies.into_iter().for_each(|body| page.append(body));
-            with_sources(page).to_string()
+            page.heading(1, text(&alone.name));
+            alone.title.iter().for_each(|title| page.text(format!("**{}**", text(title))));
         }
-        _ => {
-            family::front(family, &mut page);
-            page.append(family::body(family, bodies));
-            family::first_anchors(&with_sources(page).to_string())
-        }
+        _ => family::front(family, &mut page),
     }
+    page
 }
 
-fn front(device: &Device, page: &mut Page) {
-    page.heading(1, text(&device.name));
-    device.title.iter().for_each(|title| page.text(format!("**{}**", text(title))));
+/// The chapters, with or without a list of what is in them.
+pub(in crate::emit) fn body(family: &Family, editorial: bool, with_contents: bool) -> Page {
+    let members: Vec<Context<'_>> =
+        family.members.iter().map(|device| Context::new(device, &[], editorial)).collect();
+    let bodies = family
+        .members
+        .iter()
+        .map(|device| body_of(&Context::new(device, &members, editorial), with_contents));
+    let bodies: Vec<Page> = bodies.collect();
+    with_sources(match <[Page; 1]>::try_from(bodies) {
+        Ok([alone]) => alone,
+        Err(bodies) => family::body(family, bodies),
+    })
 }
 
-/// The contents and the chapters of one device.
-fn body(context: &Context<'_>) -> Page {
+/// The chapters of one device.
+fn body_of(context: &Context<'_>, with_contents: bool) -> Page {
     let mut page = Page::default();
     if let Some(main) = context.device.documents.first().map(|document| text(&document.title)) {
         page.text(format!(
@@ -46,8 +56,10 @@ fn body(context: &Context<'_>) -> Page {
         ));
     }
     let chapters = chapters(context);
-    page.heading(2, "Contents");
-    page.items(chapters.iter().flat_map(lines_of_contents).collect());
+    if with_contents {
+        page.heading(2, "Contents");
+        page.items(chapters.iter().flat_map(lines_of_contents).collect());
+    }
     for chapter in chapters {
         page.place(2, chapter.anchor, chapter.title);
         page.append(chapter.page);

@@ -12,8 +12,6 @@ use super::inline::text;
 use super::page::Page;
 use crate::model::{Device, Family};
 
-pub(super) use merge::first_anchors;
-
 /// What stands before the chapters.
 pub(super) fn front(family: &Family, page: &mut Page) {
     page.heading(1, text(&family.name));

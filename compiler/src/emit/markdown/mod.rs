@@ -8,12 +8,19 @@ mod context;
 mod document;
 mod family;
 mod inline;
+mod machine;
 mod number;
 mod page;
 mod table;
 
+#[cfg(feature = "html")]
+pub(super) use document::{body, front};
 #[cfg(feature = "diff")]
 pub(crate) use inline::text as escaped;
+#[cfg(feature = "html")]
+pub(super) use machine::{Arrow, Machine};
+#[cfg(feature = "html")]
+pub(super) use page::{Block, Heading, Page};
 
 use super::{Emitter, Files, Options};
 use crate::lint::Checked;

@@ -2,22 +2,23 @@
 
 use std::fmt;
 
+use super::machine::Machine;
 use super::table::Table;
 
 /// A heading.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Heading {
+pub(in crate::emit) struct Heading {
     /// How deep it stands: 2 for a chapter.
-    pub(super) level: usize,
+    pub(in crate::emit) level: usize,
     /// The place that links can lead to.
-    pub(super) anchor: Option<String>,
+    pub(in crate::emit) anchor: Option<String>,
     /// The words.
-    pub(super) title: String,
+    pub(in crate::emit) title: String,
 }
 
 /// An item of a list.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Item {
+pub(in crate::emit) struct Item {
     /// How many items it is below.
     pub(super) depth: usize,
     /// What it says.
@@ -26,7 +27,7 @@ pub(super) struct Item {
 
 /// What stands between two blank lines. All texts are Markdown already.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Block {
+pub(in crate::emit) enum Block {
     /// A heading.
     Heading(Heading),
     /// A paragraph.
@@ -35,13 +36,15 @@ pub(super) enum Block {
     List(Vec<Item>),
     /// A table that has rows, and something in each column.
     Table(Table),
-    /// Lines that belong together as they are: numbered steps, a warning, code.
+    /// Lines that belong together as they are: numbered steps, a warning.
     Lines(String),
+    /// A picture.
+    Machine(Machine),
 }
 
 /// Blocks in order, as they are put down. What is empty leaves no block.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct Page(pub(super) Vec<Block>);
+pub(in crate::emit) struct Page(pub(in crate::emit) Vec<Block>);
 
 impl Page {
     /// A heading.
@@ -80,6 +83,11 @@ impl Page {
     /// Lines that belong together as they are.
     pub(super) fn lines(&mut self, lines: String) {
         self.0.extend((!lines.is_empty()).then_some(Block::Lines(lines)));
+    }
+
+    /// A picture.
+    pub(super) fn machine(&mut self, machine: Machine) {
+        self.0.push(Block::Machine(machine));
     }
 
     /// A table.
@@ -140,6 +148,7 @@ impl fmt::Display for Block {
             Self::Text(text) | Self::Lines(text) => writeln!(f, "{text}"),
             Self::List(items) => items.iter().try_for_each(|item| writeln!(f, "{item}")),
             Self::Table(table) => table.fmt(f),
+            Self::Machine(machine) => writeln!(f, "{machine}"),
         }
     }
 }

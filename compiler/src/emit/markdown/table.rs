@@ -11,7 +11,7 @@ const SOURCE: &str = "Source";
 /// A table whose cells are Markdown already. It prints nothing while it has no rows, and leaves out columns
 /// in which no row has anything.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct Table {
+pub(in crate::emit) struct Table {
     titles: Vec<String>,
     rows: Vec<Vec<String>>,
 }
@@ -51,6 +51,11 @@ impl Table {
     /// The rows, each with its cells.
     pub(super) fn rows(&self) -> impl Iterator<Item = &[String]> {
         self.rows.iter().map(Vec::as_slice)
+    }
+
+    /// All cells, to be changed.
+    pub(super) fn cells_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        self.rows.iter_mut().flatten()
     }
 
     /// The table with the columns in which some row has something.

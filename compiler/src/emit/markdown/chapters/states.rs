@@ -1,10 +1,10 @@
 //! The state machine of the drive.
 
 pub(super) mod control;
-mod diagram;
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
+use crate::emit::markdown::machine::Machine;
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Answer, Command, DeviceControl, Event, Pattern, Scope, State, Transition};
@@ -21,10 +21,7 @@ pub(super) fn page(
     if states.is_empty() && commands.is_empty() && transitions.is_empty() {
         return page;
     }
-    let diagram = diagram::diagram(context.device);
-    if !diagram.is_empty() {
-        page.lines(format!("```mermaid\n{diagram}\n```"));
-    }
+    Machine::of(context.device).into_iter().for_each(|machine| page.machine(machine));
     page.titled("States", state_table(context, states));
     page.titled("What works in which state", functions(context, states));
     if !commands.is_empty() {

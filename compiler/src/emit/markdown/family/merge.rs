@@ -29,7 +29,7 @@ pub(super) fn merge(names: &[String], pages: Vec<Page>) -> Page {
         open.push((level, unit.members()));
         merge.section(unit, &around);
     }
-    merge.page
+    with_first_anchors(merge.page)
 }
 
 impl Merge<'_> {
@@ -94,7 +94,7 @@ impl Merge<'_> {
                 });
                 Block::Text(sentences::text(&self.names, &texts.collect::<Vec<_>>()))
             }
-            Block::Heading(_) | Block::Lines(_) => first.clone(),
+            Block::Heading(_) | Block::Lines(_) | Block::Machine(_) => first.clone(),
         })
     }
 }
@@ -104,17 +104,35 @@ fn is_running(text: &str) -> bool {
     text.starts_with(|c: char| c.is_alphabetic() || matches!(c, '*' | '[' | '<'))
 }
 
-/// The text with only the first of several anchors of the same name: versions of a thing stand together.
-pub(in crate::emit::markdown) fn first_anchors(text: &str) -> String {
+/// The page with only the first of several anchors of the same name: versions of a thing stand together.
+fn with_first_anchors(mut page: Page) -> Page {
     let mut seen = BTreeSet::new();
+    for block in &mut page.0 {
+        match block {
+            Block::Heading(heading) => {
+                heading.anchor = heading.anchor.take().filter(|anchor| seen.insert(anchor.clone()));
+            }
+            Block::List(items) => items.iter_mut().for_each(|item| first_anchors(&mut item.text, &mut seen)),
+            Block::Table(table) => table.cells_mut().for_each(|cell| first_anchors(cell, &mut seen)),
+            Block::Text(text) | Block::Lines(text) => first_anchors(text, &mut seen),
+            Block::Machine(_) => {}
+        }
+    }
+    page
+}
+
+/// Takes out of a text the anchors that were seen before.
+fn first_anchors(text: &mut String, seen: &mut BTreeSet<String>) {
     let mut parts = text.split("<a id=\"");
     let mut out = parts.next().unwrap_or("").to_owned();
     for part in parts {
         match part.split_once("\"></a>") {
-            Some((id, rest)) if seen.insert(id) => out.push_str(&format!("<a id=\"{id}\"></a>{rest}")),
+            Some((id, rest)) if seen.insert(id.to_owned()) => {
+                out.push_str(&format!("<a id=\"{id}\"></a>{rest}"))
+            }
             Some((_, rest)) => out.push_str(rest),
             None => out.push_str(part),
         }
     }
-    out
+    *text = out;
 }
