@@ -59,12 +59,13 @@ pub(super) struct Run {
 impl Run {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let mut outcome = Outcome::Clean;
-        let (mut names, mut subdevices) = (Vec::new(), Vec::new());
+        let (mut known, mut names, mut subdevices) = (Vec::new(), Vec::new(), Vec::new());
         for path in descriptions(&self.paths)? {
             let compilation = devc::compile_with(&Disk, &path, &Levels::default(), &mut |_| ());
             report.diagnostics(&compilation);
             outcome = outcome.max(verdict(&compilation, false));
             let Some(family) = &compilation.family else { continue };
+            known.extend(family.members.iter().map(|device| device.id.clone()));
             let wanted = |id: &String| self.member.is_empty() || self.member.contains(id);
             for device in family.members.iter().filter(|device| wanted(&device.id)) {
                 names.push(device.id.clone());
@@ -74,8 +75,10 @@ impl Run {
         if outcome != Outcome::Clean {
             return Ok(outcome);
         }
-        if subdevices.is_empty() {
-            return Err(Failure::new("no description has a member of this name").choices(&self.member));
+        if let Some(unknown) = self.member.iter().find(|member| !known.contains(member)) {
+            let what = format!("no description has a member `{unknown}`; there are");
+            let choices: Vec<String> = known.iter().map(|id| format!("  {id}")).collect();
+            return Err(Failure::new(what).choices(&choices));
         }
         let told = Told::new(names, &subdevices, self.cycle_report);
         let faults = self.fault.iter().map(|fault| told.find(fault)).collect::<Result<_, _>>()?;

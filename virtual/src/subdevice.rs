@@ -141,6 +141,8 @@ impl<F: Firmware> Subdevice<F> {
         if old != state && !matches!(state, Some(AlState::SafeOperational | AlState::Operational)) {
             self.controller.stop();
             self.cycles.stop();
+        }
+        if state == Some(AlState::Init) {
             self.last_mail.clear();
         }
         self.controller.events.extend(event);

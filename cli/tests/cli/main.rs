@@ -19,6 +19,8 @@ mod odd_files;
 mod outputs;
 #[cfg(unix)]
 mod outside;
+#[cfg(unix)]
+mod runs;
 mod trouble;
 #[cfg(unix)]
 mod unix;

@@ -1,0 +1,30 @@
+//! `devc run`, as far as it goes without a network.
+
+use super::Desk;
+
+#[test]
+fn an_interface_that_there_is_not_is_told() {
+    let desk = Desk::sound();
+    desk.devc(&["run", "devices/drive", "--interface", "none"])
+        .ends(2, &["cannot open the network interface `none`", "setcap cap_net_raw+ep"]);
+    desk.devc(&["run", "devices/drive"]).ends(2, &["--interface"]);
+    desk.devc(&["run", "--interface", "none"]).ends(2, &["PATH"]);
+}
+
+#[test]
+fn a_description_with_errors_does_not_run() {
+    let desk = Desk::sound();
+    desk.put("devices/drive/device.toml", "[device]\nname = 1");
+    desk.devc(&["run", "devices/drive", "--interface", "none"]).ends(1, &["error"]);
+}
+
+#[test]
+fn what_is_not_there_is_not_chosen() {
+    let desk = Desk::sound();
+    desk.devc(&["run", "devices/drive", "-i", "none", "--member", "other"])
+        .ends(2, &["no description has a member `other`", "  drive"]);
+    desk.devc(&["run", "devices/drive", "-i", "none", "--fault", "Q=0x7305@5s"])
+        .ends(2, &["no axis has the name `Q`"]);
+    desk.devc(&["run", "devices/drive", "-i", "none", "--fault", "Q=0x7305@5"])
+        .ends(2, &["a time has a unit"]);
+}
