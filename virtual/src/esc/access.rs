@@ -6,6 +6,14 @@ use super::{Controller, SyncManager, Written};
 use crate::event::Event;
 use crate::frame::{Command, Datagram, Target};
 
+/// A part of an access that lies in one sync manager or in none.
+struct Part {
+    address: u16,
+    /// The number of the manager, and the byte of its area.
+    manager: Option<(usize, u32)>,
+    length: usize,
+}
+
 impl Controller {
     /// Lets a datagram pass; tells whether it was for this controller.
     pub(crate) fn pass(&mut self, datagram: &mut Datagram<'_>) -> bool {
@@ -109,11 +117,11 @@ impl Controller {
             self.show(&range);
         }
         let (mut is_any, mut done) = (false, 0);
-        while let Some((here, manager, length)) = self.part(address, done, data.len()) {
+        while let Some(Part { address, manager, length }) = self.part(address, done, data.len()) {
             let Some(part) = data.get_mut(done..done + length) else { break };
             is_any |=
                 match manager.and_then(|(number, offset)| Some((self.managers.get_mut(number)?, offset))) {
-                    None => self.memory.read(here, part),
+                    None => self.memory.read(address, part),
                     Some((manager, offset)) => manager.read(&self.memory, offset, part) != Accessed::Denied,
                 };
             done += length;
@@ -124,10 +132,10 @@ impl Controller {
     /// Writes for a master; tells whether anything was to be written.
     pub(super) fn write(&mut self, address: u16, data: Written<'_>) -> bool {
         let (mut is_any, mut done) = (false, 0);
-        while let Some((here, manager, length)) = self.part(address, done, data.len()) {
+        while let Some(Part { address, manager, length }) = self.part(address, done, data.len()) {
             let part = data.part(done, length);
             is_any |= match manager {
-                None => self.write_memory(here, part),
+                None => self.write_memory(address, part),
                 Some((number, offset)) => self.write_manager(number, offset, part),
             };
             done += length;
@@ -163,9 +171,8 @@ impl Controller {
         accessed != Accessed::Denied
     }
 
-    /// The next part of an access that lies in one sync manager or in none: its address, the manager with the byte of its
-    /// area, and the length.
-    fn part(&self, address: u16, done: usize, length: usize) -> Option<(u16, Option<(usize, u32)>, usize)> {
+    /// The next part of an access; none if all is done.
+    fn part(&self, address: u16, done: usize, length: usize) -> Option<Part> {
         let here = u32::from(address) + u32::try_from(done).ok()?;
         let end = u32::from(address) + u32::try_from(length).ok()?;
         let first = u16::try_from(here).ok().filter(|_| here < end)?;
@@ -173,14 +180,14 @@ impl Controller {
         for (number, manager) in self.managers.iter().enumerate() {
             let extent = manager.extent();
             if extent.contains(&here) {
-                let part = end.min(extent.end) - here;
-                return Some((first, Some((number, here - extent.start)), part as usize));
+                let length = (end.min(extent.end) - here) as usize;
+                return Some(Part { address: first, manager: Some((number, here - extent.start)), length });
             }
             if extent.start > here && !extent.is_empty() {
                 until = until.min(extent.start);
             }
         }
-        Some((first, None, (until - here) as usize))
+        Some(Part { address: first, manager: None, length: (until - here) as usize })
     }
 }
 

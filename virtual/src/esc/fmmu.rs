@@ -68,7 +68,7 @@ impl Overlap {
 
     /// Where it lies in the data, if it is whole bytes on both sides.
     pub(super) fn bytes(self) -> Option<std::ops::Range<usize>> {
-        let is_whole = (self.data | self.memory | self.bits) % 8 == 0;
+        let is_whole = (self.data | self.memory | self.bits).is_multiple_of(8);
         is_whole.then(|| self.data / 8..(self.data + self.bits) / 8)
     }
 

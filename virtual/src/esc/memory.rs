@@ -62,11 +62,10 @@ impl Memory {
         }
         let mut is_any = false;
         for (offset, at) in (0..data.len()).zip(address..) {
-            if at >= RAM || is_writable(at) && !is_locked(at) {
-                if let Some(place) = self.get_mut(at, 1) {
-                    data.part(offset, 1).store(place);
-                    is_any = true;
-                }
+            let is_open = at >= RAM || is_writable(at) && !is_locked(at);
+            if let Some(place) = self.get_mut(at, 1).filter(|_| is_open) {
+                data.part(offset, 1).store(place);
+                is_any = true;
             }
         }
         is_any

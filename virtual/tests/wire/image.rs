@@ -59,7 +59,7 @@ fn crc8(bytes: &[u8]) -> u8 {
     let mut crc = 0xFF_u8;
     for bit in bytes.iter().flat_map(|byte| (0..8).rev().map(move |bit| byte >> bit & 1)) {
         let carry = crc >> 7 ^ bit;
-        crc = crc << 1 ^ carry * 0x07;
+        crc = crc << 1 ^ (carry * 0x07);
     }
     crc
 }

@@ -150,13 +150,12 @@ fn the_dictionary_is_read_and_written() {
 fn another_assignment_has_another_length() {
     run(vec![s700().subdevice()], async |maindevice| {
         let group = found(maindevice).await.expect("it is found");
-        let drive = group.subdevice(maindevice, 0).expect("the first");
         for (object, pdo) in [(0x1C12, 0x1706_u16), (0x1C13, 0x1B06)] {
+            let drive = group.subdevice(maindevice, 0).expect("the first");
             drive.sdo_write(object, 0, 0_u8).await.expect("cleared");
             drive.sdo_write(object, 1, pdo).await.expect("assigned");
             drive.sdo_write(object, 0, 1_u8).await.expect("counted");
         }
-        drop(drive);
         let group = group.into_safe_op(maindevice).await.expect("Safe-Operational");
         let io = group.subdevice(maindevice, 0).expect("the first");
         let io = io.io_raw();
