@@ -114,12 +114,12 @@ fn network(name: &str) -> Option<Network> {
 fn the_hexapod_runs_with_clocks_and_its_axes_follow() {
     let Some(mut network) = network("hexapod") else { return };
     network.run(&["devices/c887"]);
-    let seen = network.master(5_000, 6);
+    let seen = network.master(10_000, 6);
     assert_eq!(seen["count"], 1);
     assert_eq!(seen["devices"][0]["identity"], json!([0x076D, 3, 0]));
     assert_eq!(seen["devices"][0]["type"].as_u64().expect("a number") & 0xFFFF, 402);
     assert_eq!(seen["devices"][0]["lengths"], json!([42, 66]));
-    assert_eq!((&seen["cycles"], &seen["wrong"], &seen["states"]), (&json!(5_000), &json!(0), &json!([8])));
+    assert_eq!((&seen["cycles"], &seen["wrong"], &seen["states"]), (&json!(10_000), &json!(0), &json!([8])));
     // each axis is led another way, and is there when it has stopped
     assert_eq!(seen["moved"]["asked"], json!([200, 400, 600, 800, 1000, 1200]));
     assert_eq!(seen["moved"]["gone"], seen["moved"]["asked"]);
