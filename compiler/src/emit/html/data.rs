@@ -144,7 +144,7 @@ fn member(device: &Device) -> Member {
 }
 
 fn bits(fields: &[Field]) -> Vec<Bits> {
-    let value = |meaning: &Meaning| (i64::from(meaning.value), meaning.name.clone());
+    let value = |meaning: &Meaning| (meaning.value, meaning.name.clone());
     let bits = fields.iter().map(|field| Bits {
         low: field.low,
         high: field.high,
