@@ -11,6 +11,7 @@ use std::sync::{Arc, LazyLock};
 use proc_macro2::{TokenStream, TokenTree};
 use quick_xml::events::Event;
 
+use super::skeleton::{program, sheet};
 use super::{ALL, Options, emit};
 use crate::diagnostic::{Diagnostic, Diagnostics, Level};
 use crate::lint::{Checked, Levels, check};
@@ -181,6 +182,9 @@ fn skeleton(name: &str, text: &str) -> Vec<String> {
             names
         }
         Some("rs") => tokens(text.parse().expect("Rust")),
+        Some("h") => program(text, ("/*", "*/")),
+        Some("py") => program(text, ("#", "\n")),
+        Some("eds") => sheet(text),
         _ => {
             let mut fenced = false;
             let blocks = text.lines().map(|line| {

@@ -1,8 +1,7 @@
 //! A device, or a family, as one document.
 
-use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
-use minijinja::{Environment, UndefinedBehavior, Value, context};
+use minijinja::{Environment, Value, context};
 
 use super::chapter::Prepared;
 use super::chapters;
@@ -11,6 +10,7 @@ use super::family;
 use super::inline::text;
 use super::table::sources_once;
 use crate::emit::escape::comment;
+use crate::emit::template::environment;
 use crate::model::{Device, Family};
 use crate::text::characters::line;
 
@@ -57,13 +57,6 @@ fn body(environment: &Environment<'_>, context: &Context<'_>) -> Result<String, 
 fn front(device: &Device, body: String) -> Value {
     let title = device.title.as_deref().map_or(String::new(), text);
     context! { name => text(&device.name), title, body }
-}
-
-fn environment() -> Result<Environment<'static>, minijinja::Error> {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
-    Ok(environment)
 }
 
 /// Takes out the blank lines that parts left out leave behind.

@@ -12,7 +12,8 @@ pub(super) fn text(bytes: &[u8]) -> String {
     let mut text = String::new();
     let mut upper = 0;
     for (row, data) in (0_u32..).zip(bytes.chunks(16)) {
-        let [high, low] = [row * 16 >> 16, row * 16 & 0xFFFF].map(|half| u16::try_from(half).unwrap_or(0));
+        let [high, low] =
+            [(row * 16) >> 16, (row * 16) & 0xFFFF].map(|half| u16::try_from(half).unwrap_or(0));
         if high != upper {
             record(&mut text, 0, UPPER_ADDRESS, &high.to_be_bytes());
             upper = high;
