@@ -181,8 +181,9 @@ fn skeleton(name: &str, text: &str) -> Vec<String> {
             members(&serde_json::from_str(text).expect("JSON"), &mut names);
             names
         }
+        Some("html") => tags(text),
         Some("rs") => tokens(text.parse().expect("Rust")),
-        Some("h") => program(text, ("/*", "*/")),
+        Some("h" | "c") => program(text, ("/*", "*/")),
         Some("py") => program(text, ("#", "\n")),
         Some("eds") => sheet(text),
         _ => {
@@ -211,6 +212,13 @@ fn elements(text: &str) -> Vec<String> {
             _ => {}
         }
     }
+}
+
+/// The tags of a page by name, and what else begins with their sign. What cannot be shown as it is typed is plain text instead.
+fn tags(text: &str) -> Vec<String> {
+    let ends = |c: char| c.is_whitespace() || "<>\"=".contains(c);
+    let names = text.split('<').skip(1).filter_map(|tag| tag.split(ends).next());
+    names.filter(|name| !name.ends_with("code")).map(str::to_owned).collect()
 }
 
 fn members(value: &serde_json::Value, names: &mut Vec<String>) {

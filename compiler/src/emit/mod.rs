@@ -12,7 +12,11 @@ pub mod eds;
 mod escape;
 #[cfg(feature = "esi")]
 pub mod esi;
+#[cfg(feature = "html")]
+pub mod html;
 mod identifier;
+#[cfg(feature = "igh")]
+pub mod igh;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "markdown")]
@@ -28,7 +32,7 @@ pub mod sii;
 mod skeleton;
 #[cfg(feature = "program")]
 mod steps;
-#[cfg(any(feature = "markdown", feature = "program"))]
+#[cfg(feature = "program")]
 mod template;
 
 use std::collections::BTreeMap;
@@ -75,6 +79,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &esi::Esi,
     #[cfg(feature = "markdown")]
     &markdown::Markdown,
+    #[cfg(feature = "html")]
+    &html::Html,
     #[cfg(feature = "json")]
     &json::Json,
     #[cfg(feature = "rust")]
@@ -83,6 +89,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &sii::Sii,
     #[cfg(feature = "c")]
     &c::C,
+    #[cfg(feature = "igh")]
+    &igh::Igh,
     #[cfg(feature = "python")]
     &python::Python,
     #[cfg(feature = "eds")]

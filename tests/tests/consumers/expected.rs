@@ -32,7 +32,7 @@ pub(crate) fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn bytes(json: &Json) -> Vec<u8> {
+pub(crate) fn bytes(json: &Json) -> Vec<u8> {
     json.as_array().unwrap().iter().map(|byte| u8::try_from(byte.as_u64().unwrap()).unwrap()).collect()
 }
 
@@ -45,8 +45,8 @@ fn states(member: &Json, lines: &mut String) {
         .collect();
     let shows = |pattern: &String, word: u32| {
         pattern.chars().enumerate().all(|(bit, wanted)| match wanted {
-            '0' => word >> bit & 1 == 0,
-            '1' => word >> bit & 1 == 1,
+            '0' => (word >> bit) & 1 == 0,
+            '1' => (word >> bit) & 1 == 1,
             _ => true,
         })
     };

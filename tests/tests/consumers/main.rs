@@ -9,6 +9,7 @@
 mod c;
 mod eds;
 mod expected;
+mod igh;
 mod model;
 mod python;
 mod tools;

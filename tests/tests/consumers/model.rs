@@ -184,11 +184,13 @@ impl Record {
 }
 
 fn get(bytes: &[u8], bit: usize) -> bool {
-    bytes[bit / 8] >> (bit % 8) & 1 == 1
+    (bytes[bit / 8] >> (bit % 8)) & 1 == 1
 }
 
 fn set(bytes: &mut [u8], bit: usize, value: bool) {
-    bytes[bit / 8] = bytes[bit / 8] & !(1 << (bit % 8)) | u8::from(value) << (bit % 8);
+    let mask = 1 << (bit % 8);
+    let others = bytes[bit / 8] & !mask;
+    bytes[bit / 8] = if value { others | mask } else { others };
 }
 
 impl Field {

@@ -4,6 +4,8 @@ mod packing;
 mod record;
 mod text;
 
+pub(super) use text::filters;
+
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -47,5 +49,5 @@ fn header(device: &Device, family: &str) -> String {
     let program = Program::of(device, family, text::KEYWORDS);
     let records = record::records(&program);
     let context = context! { it => Serde(&program), records => Serde(records) };
-    template::render("header.h", include_str!("header.h.j2"), text::filters, context)
+    template::render("header.h", include_str!("header.h.j2"), filters, context)
 }

@@ -107,7 +107,7 @@ pub(super) const KEYWORDS: &[&str] = &[
 ];
 
 /// What the template needs to write texts.
-pub(super) fn filters(environment: &mut Environment<'static>) {
+pub(in crate::emit) fn filters(environment: &mut Environment<'static>) {
     environment.add_filter("comment", |text: String| comment(&text));
     environment.add_filter("string", |text: String| string(&text));
     environment.add_filter("bytes", |bytes: Vec<u64>| -> String {

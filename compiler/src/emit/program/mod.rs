@@ -64,7 +64,7 @@ impl Program {
         let states = codes::states(device, &mut names);
         Self {
             prefix,
-            family: family.to_owned(),
+            family: prose(family),
             name: prose(&device.name),
             title: device.title.as_deref().map(prose),
             identity: transport::identity(device),
