@@ -24,3 +24,7 @@ pub mod source;
 pub mod text;
 
 pub use compile::{Compilation, Stage, compile, compile_with};
+
+/// The JSON schema of descriptions, for editors; tests hold it to the code.
+#[cfg(feature = "cli")]
+pub const SCHEMA: &str = include_str!("../schema/device.schema.json");

@@ -1,6 +1,6 @@
-//! The command line: one file a subcommand.
+//! The command line of devc: one file a subcommand.
 //!
-//! It alone writes files, prints and looks at the clock; all else it asks of the library.
+//! It alone writes files, prints and looks at the clock; all else it asks of the libraries.
 
 mod baseline;
 mod build;
@@ -20,6 +20,8 @@ mod outcome;
 mod paths;
 mod report;
 mod rules;
+#[cfg(unix)]
+mod run;
 mod schema;
 mod sums;
 mod timings;
@@ -56,6 +58,8 @@ enum Command {
     Import(import::Import),
     New(new::New),
     Rules(rules::Rules),
+    #[cfg(unix)]
+    Run(run::Run),
     Schema(schema::Schema),
 }
 
@@ -68,7 +72,9 @@ Examples:
   devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name
-  devc import drive.xml           make a description of an ESI file";
+  devc import drive.xml           make a description of an ESI file
+  devc run devices/c887 --interface eth1
+                                  be the drive, for a master at a network interface";
 
 const LONG_EXAMPLES: &str = "\
 Examples:
@@ -89,14 +95,17 @@ Examples:
   devc import drive.xml           make a description of an ESI file
   devc import io.xml --device EL1008 --out devices/el1008
                                   of one device of several, into a folder
+  devc run devices/c887 --interface eth1
+                                  be the drive, for a master at a network interface
+  devc run devices/c887 -i eth1 --fault X=0x7305@5s --trace c887.pcapng
+                                  with a fault after five seconds, and all frames in a file
 
 Exit codes:
   0  all is well; there may be warnings
   1  findings: errors in a description, or outputs that are not up to date
   2  devc could not run: bad arguments, no such description, an output that cannot be written";
 
-/// Does what the arguments say.
-pub(crate) fn run() -> ExitCode {
+fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let report = Report::new(arguments.color);
     let outcome = match &arguments.command {
@@ -107,6 +116,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Import(import) => import.run(&report),
         Command::New(new) => new.run(&report),
         Command::Rules(rules) => rules.run(&report),
+        #[cfg(unix)]
+        Command::Run(run) => run.run(&report),
         Command::Schema(schema) => schema.run(&report),
     };
     report.end(outcome.unwrap_or_else(|failure| report.failure(&failure))).into()

@@ -70,7 +70,6 @@ fn sum_of(bytes: &[u8]) -> String {
 }
 
 #[cfg(test)]
-#[expect(clippy::expect_used, reason = "a test may")]
 mod tests {
     use std::fs;
 

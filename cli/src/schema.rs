@@ -5,9 +5,6 @@ use clap::Args;
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
 
-/// The schema of descriptions, as the tests hold it to the code.
-const SCHEMA: &str = include_str!("../../schema/device.schema.json");
-
 /// Print the JSON schema of descriptions, for editors.
 ///
 /// An editor with support for TOML takes it from a comment at the top of a file: `#:schema device.schema.json`.
@@ -16,7 +13,7 @@ pub(super) struct Schema {}
 
 impl Schema {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
-        report.output(SCHEMA);
+        report.output(devc::SCHEMA);
         Ok(Outcome::Clean)
     }
 }
