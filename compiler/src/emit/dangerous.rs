@@ -11,6 +11,7 @@ use std::sync::{Arc, LazyLock};
 use proc_macro2::{TokenStream, TokenTree};
 use quick_xml::events::Event;
 
+use super::skeleton::{program, sheet};
 use super::{ALL, Options, emit};
 use crate::diagnostic::{Diagnostic, Diagnostics, Level};
 use crate::lint::{Checked, Levels, check};
@@ -182,6 +183,9 @@ fn skeleton(name: &str, text: &str) -> Vec<String> {
         }
         Some("html") => tags(text),
         Some("rs") => tokens(text.parse().expect("Rust")),
+        Some("h" | "c") => program(text, ("/*", "*/")),
+        Some("py") => program(text, ("#", "\n")),
+        Some("eds") => sheet(text),
         _ => {
             let mut fenced = false;
             let blocks = text.lines().map(|line| {

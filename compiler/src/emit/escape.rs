@@ -16,6 +16,12 @@ pub(super) fn escape(text: &str, marked: impl Fn(usize, u8) -> bool, out: &mut S
     out.push_str(text.get(written..).unwrap_or_default());
 }
 
+/// A text in several lines as one line.
+#[cfg(any(feature = "esi", feature = "eds", feature = "program"))]
+pub(super) fn prose(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// A text as a comment of XML or HTML can hold it: two hyphens would end it, so a space parts them.
 #[cfg(any(feature = "esi", feature = "markdown"))]
 pub(super) fn comment(text: &str) -> String {

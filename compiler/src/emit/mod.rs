@@ -3,21 +3,37 @@
 //! An emitter gets a checked family and makes files of it, one for the family or one a member. It cannot fail: what an output cannot express
 //! is a rule, and was reported before.
 
+#[cfg(feature = "c")]
+pub mod c;
 #[cfg(all(test, feature = "cli"))]
 mod dangerous;
+#[cfg(feature = "eds")]
+pub mod eds;
 mod escape;
 #[cfg(feature = "esi")]
 pub mod esi;
 #[cfg(feature = "html")]
 pub mod html;
 mod identifier;
+#[cfg(feature = "igh")]
+pub mod igh;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "markdown")]
 pub mod markdown;
+#[cfg(feature = "program")]
+mod program;
+#[cfg(feature = "python")]
+pub mod python;
 pub mod rust;
 #[cfg(feature = "sii")]
 pub mod sii;
+#[cfg(all(test, feature = "cli"))]
+mod skeleton;
+#[cfg(feature = "program")]
+mod steps;
+#[cfg(feature = "program")]
+mod template;
 
 use std::collections::BTreeMap;
 
@@ -71,6 +87,14 @@ pub static ALL: &[&dyn Emitter] = &[
     &rust::Rust,
     #[cfg(feature = "sii")]
     &sii::Sii,
+    #[cfg(feature = "c")]
+    &c::C,
+    #[cfg(feature = "igh")]
+    &igh::Igh,
+    #[cfg(feature = "python")]
+    &python::Python,
+    #[cfg(feature = "eds")]
+    &eds::Eds,
 ];
 
 /// Files by name, in the folder of the family.

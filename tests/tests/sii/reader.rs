@@ -43,9 +43,9 @@ fn crc(bytes: &[u8]) -> u8 {
     let mut rest = 0xFF_u16;
     for byte in bytes {
         for bit in (0..8).rev() {
-            let incoming = u16::from(byte >> bit & 1);
-            let out = (rest >> 7 & 1) ^ incoming;
-            rest = (rest << 1 & 0xFF) ^ if out == 1 { 0x07 } else { 0 };
+            let incoming = u16::from((byte >> bit) & 1);
+            let out = ((rest >> 7) & 1) ^ incoming;
+            rest = ((rest << 1) & 0xFF) ^ if out == 1 { 0x07 } else { 0 };
         }
     }
     u8::try_from(rest).unwrap()

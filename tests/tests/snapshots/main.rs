@@ -18,8 +18,8 @@ fn outputs_are_as_they_were() {
         for (name, content) in emitter.emit(&family, &emit::Options::default()).0 {
             let (_, end) = name.rsplit_once('.').expect("a name with an end");
             // what is bytes, and what is mostly a script, has readers of its own among the tests
-            let is_read_here = !["hex", "html"].contains(&end);
-            let Some(text) = String::from_utf8(content).ok().filter(|_| is_read_here) else { continue };
+            let is_text = !["hex", "html"].contains(&end);
+            let Some(text) = String::from_utf8(content).ok().filter(|_| is_text) else { continue };
             insta::assert_snapshot!(format!("tiny.{end}"), text);
         }
     }

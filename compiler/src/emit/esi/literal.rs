@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+pub(super) use crate::emit::escape::prose;
+
 /// A number in hexadecimal with all digits of its type, as `#x6040`.
 pub(super) struct Hex<T>(pub(super) T);
 
@@ -30,9 +32,4 @@ impl fmt::Display for Bytes<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.iter().try_for_each(|byte| write!(f, "{byte:02X}"))
     }
-}
-
-/// A text in several lines as one line.
-pub(super) fn prose(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

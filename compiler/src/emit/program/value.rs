@@ -1,0 +1,47 @@
+//! What a field of process data is in a program.
+
+use serde::Serialize;
+
+use crate::model::{DataType, Device, Mapped};
+
+/// How a field is to be taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::emit) enum Kind {
+    /// A bit.
+    Bool,
+    /// A whole number with a sign.
+    Int,
+    /// A whole number without.
+    Uint,
+    /// An IEEE 754 number.
+    Real,
+    /// Bytes without a meaning as a number.
+    Bytes,
+}
+
+/// Kind, and the width in bits of the value: what its type has, or what is mapped where no type says anything.
+pub(super) fn of(device: &Device, mapped: &Mapped) -> (Kind, u32) {
+    let bits = mapped.bits;
+    match mapped.data_type {
+        Some(DataType::Bool | DataType::Bits(1)) => (Kind::Bool, 1),
+        Some(data_type @ DataType::Int(_)) if !is_word(device, mapped) => (Kind::Int, data_type.bits()),
+        Some(
+            DataType::Int(width) | DataType::Uint(width) | DataType::Bitstring(width) | DataType::Bits(width),
+        ) => (Kind::Uint, width.into()),
+        Some(data_type @ (DataType::Real32 | DataType::Real64)) if data_type.bits() == bits => {
+            (Kind::Real, bits)
+        }
+        Some(DataType::Text(_) | DataType::Octets(_) | DataType::Unicode(_)) => (Kind::Bytes, bits),
+        _ if bits == 1 => (Kind::Bool, 1),
+        _ if bits <= 64 => (Kind::Uint, bits),
+        _ => (Kind::Bytes, bits),
+    }
+}
+
+/// Whether bits have names: they have no sign, whatever the manual calls their type.
+fn is_word(device: &Device, mapped: &Mapped) -> bool {
+    let Some(address) = mapped.address else { return false };
+    let leading = device.object(address.index).map_or(address.index, |object| object.leading);
+    device.words.iter().any(|word| (word.address.index, word.address.subindex) == (leading, address.subindex))
+}

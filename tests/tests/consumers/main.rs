@@ -1,0 +1,15 @@
+//! Outputs read by what other people wrote, and programs compiled and run: what they make of bytes, words, codes and the
+//! dictionary is what the JSON model says.
+//!
+//! The expected lines are computed here from the JSON alone, a bit at a time, so that C and Python share nothing with what
+//! they are held against. Where there is no compiler or interpreter, the test says so and asks nothing.
+
+#![cfg(test)]
+
+mod c;
+mod eds;
+mod expected;
+mod igh;
+mod model;
+mod python;
+mod tools;
