@@ -31,8 +31,8 @@ raw! {
         pub total: Option<u16>,
         /// The largest number of bytes it can be mapped to, for a free mapping.
         pub max_bytes: Option<u16>,
-        /// The largest number of entries it can be mapped to, for a free mapping: the subindices of its mapping object.
-        /// If absent, everything that can be mapped once, as far as `max-bytes` go.
+        /// The largest number of entries it can be mapped to: the subindices of its mapping object. If absent, those that
+        /// it has, or with a free mapping everything that can be mapped once, as far as `max-bytes` go.
         pub max_entries: Option<u8>,
         /// The sync unit it belongs to: PDOs of different ones are exchanged apart from each other.
         pub sync_unit: Option<String>,

@@ -12,3 +12,4 @@ mod hostile;
 mod kinds;
 mod objects;
 mod round_trip;
+mod transport;

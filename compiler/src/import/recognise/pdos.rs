@@ -72,14 +72,22 @@ fn entry_facts(entry: &PdoEntry) -> usize {
     2 + said.into_iter().filter(|said| *said).count()
 }
 
-/// The table of a PDO. `all` are those of its direction, `room` is how many entries its mapping object has.
-pub(super) fn block(
-    pdo: &Pdo,
-    (way, all): (Way, &[&Pdo]),
-    references: &References,
-    room: usize,
-    report: &mut Report,
-) -> Block {
+/// What a PDO is seen with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surroundings<'s> {
+    pub(super) way: Way,
+    /// The PDOs of its direction.
+    pub(super) pdos: &'s [&'s Pdo],
+    pub(super) references: &'s References,
+    /// The names of the sync units, by number.
+    pub(super) units: &'s [String],
+    /// How many entries its mapping object has.
+    pub(super) room: usize,
+}
+
+/// The table of a PDO.
+pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Report) -> Block {
+    let Surroundings { way, references, units, room, .. } = *surroundings;
     let mut keys = Keys::new();
     let key = format!("0x{:04X}", pdo.index);
     let mut remarks = Vec::new();
@@ -96,34 +104,41 @@ pub(super) fn block(
     if !pdo.fixed {
         set(&mut keys, "fixed", Toml::Bool(false));
     }
-    if !pdo.fixed && room > pdo.entries.len() {
+    if room > pdo.entries.len() || !pdo.fixed && room > 0 {
         set(&mut keys, "max-entries", Toml::Integer(room.min(254) as i128));
     }
     if pdo.mandatory {
         set(&mut keys, "mandatory", Toml::Bool(true));
     }
+    match pdo.su.map(|number| units.get(usize::from(number))) {
+        Some(Some(unit)) => set(&mut keys, "sync-unit", Toml::text(unit)),
+        Some(None) => report.lose(pdo.at, 1, format!("{}/@Su", way.element()), "there is no such sync unit"),
+        None => {}
+    }
     let entries: Vec<Toml> = pdo.entries.iter().map(|entry| mapped(entry, references, report)).collect();
     if !entries.is_empty() {
         set(&mut keys, "entries", Toml::List(entries));
     }
-    let mut excludes: Vec<String> = Vec::new();
-    for (index, at) in &pdo.excludes {
-        let text = format!("0x{index:04X}");
-        if *index == pdo.index || !all.iter().any(|other| other.index == *index) {
-            report.lose(
-                *at,
-                1,
-                format!("Exclude {text} of {} {key}", way.element()),
-                "it names no other PDO of the direction",
-            );
-        } else if !excludes.contains(&text) {
-            excludes.push(text);
-        }
-    }
+    let excludes = excludes(pdo, surroundings, report);
     if !excludes.is_empty() {
         set(&mut keys, "excludes", Toml::texts(excludes));
     }
     Block { remarks, ..Block::new(way.section(), Some(key), keys) }
+}
+
+/// The PDOs that it cannot be assigned together with.
+fn excludes(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Report) -> Vec<String> {
+    let mut excludes: Vec<String> = Vec::new();
+    for (index, at) in &pdo.excludes {
+        let text = format!("0x{index:04X}");
+        if *index == pdo.index || !surroundings.pdos.iter().any(|other| other.index == *index) {
+            let what = format!("Exclude {text} of {} 0x{:04X}", surroundings.way.element(), pdo.index);
+            report.lose(*at, 1, what, "it names no other PDO of the direction");
+        } else if !excludes.contains(&text) {
+            excludes.push(text);
+        }
+    }
+    excludes
 }
 
 /// An entry of a PDO: a word, or a table where the word is not all.
