@@ -2,6 +2,9 @@
 //! them, both ways.
 
 #![cfg(test)]
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
+mod revisions;
 
 use std::path::Path;
 
@@ -56,7 +59,7 @@ fn edited(edit: &Table) -> Table {
 /// The changes as `changes.toml` writes them.
 fn changes(old: &Family, new: &Family) -> Vec<String> {
     let shown = |change: &devc::diff::Change| {
-        format!("{} {} {}", change.kind.class.name(), change.kind.name, change.at)
+        format!("{} {} {}", change.kind.class.name(), change.kind.rule.name, change.at)
     };
     compare(old, new).changes.iter().map(shown).collect()
 }

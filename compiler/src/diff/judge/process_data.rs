@@ -27,7 +27,12 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         }
         ["direction"] => &kinds::REMOVED_PDO,
         ["fixed" | "mandatory"] => restricted(difference.second.as_deref() == Some("true")),
-        ["excludes"] => restricted(new.excludes.iter().any(|other| !old.excludes.contains(other))),
+        // Together with a PDO that was not there it cannot have been assigned.
+        ["excludes"] => restricted(
+            new.excludes
+                .iter()
+                .any(|other| !old.excludes.contains(other) && versions.old.pdo(*other).is_some()),
+        ),
         ["max_bytes"] => restricted(less(old.max_bytes, new.max_bytes)),
         ["max_entries"] => restricted(less(old.max_entries, new.max_entries)),
         ["name"] => &kinds::RENAMED,
