@@ -173,3 +173,18 @@ fn signals_keep_their_times() {
         assert!(text.contains(said), "{said}: {text}");
     }
 }
+
+#[test]
+fn what_is_not_in_the_dictionary_has_its_type_in_the_pdo() {
+    let entry = |index: &str, kind: &str, bits: u32| {
+        format!(
+            "<Entry><Index>{index}</Index><SubIndex>1</SubIndex><BitLen>{bits}</BitLen><Name>Part {index}</Name>\
+             <DataType>{kind}</DataType></Entry>"
+        )
+    };
+    let entries =
+        [entry("#x6000", "BOOL", 1), entry("#x6001", "BIT7", 7), entry("#x6002", "REAL", 32)].concat();
+    let pdo = format!("<TxPdo Fixed=\"1\"><Index>#x1A00</Index><Name>P</Name>{entries}</TxPdo>");
+    let text = text(&whole(&file("", "", &pdo)));
+    assert!(text.contains("type = \"REAL32\"") && !text.contains("bits ="), "{text}");
+}

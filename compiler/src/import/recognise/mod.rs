@@ -146,15 +146,18 @@ fn process_data(
     draft.device.extend(managers);
 }
 
-/// What the sync units of the PDOs are called, by number. A file need not name them.
+/// What the sync units of the PDOs are called, by number. A file need not name them, nor list them.
 fn sync_units(device: &Device, basis: &Basis<'_>, report: &mut Report) -> Vec<String> {
-    let used =
-        |number: usize| basis.rx.iter().chain(basis.tx).find(|pdo| pdo.su.map(usize::from) == Some(number));
-    let named = device.sync_units.iter().enumerate().map(|(number, name)| {
-        if let Some(pdo) = used(number).filter(|_| name.is_empty()) {
-            report.guess(pdo.at, "the name of a sync unit", format!("it has none; `unit-{number}` is taken"));
+    let pdos = || basis.rx.iter().chain(basis.tx);
+    let used = pdos().filter_map(|pdo| pdo.su).max().map_or(0, |last| usize::from(last) + 1);
+    let named = (0..used.max(device.sync_units.len())).map(|number| {
+        let name = device.sync_units.get(number).filter(|name| !name.is_empty());
+        let first = || pdos().find(|pdo| pdo.su.map(usize::from) == Some(number));
+        if let Some(pdo) = first().filter(|_| name.is_none()) {
+            let why = format!("it has none; `unit-{number}` is taken");
+            report.guess(pdo.at, "the name of a sync unit", why);
         }
-        if name.is_empty() { format!("unit-{number}") } else { name.clone() }
+        name.cloned().unwrap_or_else(|| format!("unit-{number}"))
     });
     named.collect()
 }

@@ -110,10 +110,8 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
     if pdo.mandatory {
         set(&mut keys, "mandatory", Toml::Bool(true));
     }
-    match pdo.su.map(|number| units.get(usize::from(number))) {
-        Some(Some(unit)) => set(&mut keys, "sync-unit", Toml::text(unit)),
-        Some(None) => report.lose(pdo.at, 1, format!("{}/@Su", way.element()), "there is no such sync unit"),
-        None => {}
+    if let Some(unit) = pdo.su.and_then(|number| units.get(usize::from(number))) {
+        set(&mut keys, "sync-unit", Toml::text(unit));
     }
     let entries: Vec<Toml> = pdo.entries.iter().map(|entry| mapped(entry, references, report)).collect();
     if !entries.is_empty() {
@@ -151,11 +149,8 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
     }
     let address = format!("0x{:04X}:{:02X}", entry.index, entry.subindex);
     let Some(target) = references.get(entry.index, entry.subindex) else {
-        if entry.data_type.is_some() {
-            let why = "it is not in the dictionary, and what is mapped only has a width";
-            report.lose(entry.at, 1, "the data type of a mapped entry", why);
-        }
-        let keys = [("entry".to_owned(), Toml::text(address)), bits()];
+        let width = own_type(entry, report).map_or_else(bits, |it| ("type".to_owned(), Toml::text(it)));
+        let keys = [("entry".to_owned(), Toml::text(address)), width];
         return Toml::Table(keys.into_iter().chain(entry.name.as_ref().map(named)).collect());
     };
     let same_type = entry.data_type.as_deref().is_none_or(|name| {
@@ -173,6 +168,19 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
     let other = |name: &&String| target.name.as_ref().is_none_or(|known| !words::alike(known, name));
     keys.extend(entry.name.as_ref().filter(other).map(named));
     if keys.len() > 1 { Toml::Table(keys) } else { Toml::text(&target.text) }
+}
+
+/// The type of what is not in the dictionary, if the language has it.
+fn own_type(entry: &PdoEntry, report: &mut Report) -> Option<String> {
+    let written = entry.data_type.as_deref()?;
+    match data_type(written, Some(entry.bits.into())) {
+        Some((found, false)) => Some(found.to_string()),
+        _ => {
+            let why = format!("descriptions have no `{written}` of {} bits", entry.bits);
+            report.lose(entry.at, 1, "the data type of a mapped entry", why);
+            None
+        }
+    }
 }
 
 /// Whether the name of a padding says no more than that.
