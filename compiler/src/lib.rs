@@ -19,7 +19,12 @@ mod profiles;
 pub mod raw;
 mod resolve;
 pub mod rules;
+pub mod sii;
 pub mod source;
 pub mod text;
 
 pub use compile::{Compilation, Stage, compile, compile_with};
+
+/// The JSON schema of descriptions, for editors; tests hold it to the code.
+#[cfg(feature = "cli")]
+pub const SCHEMA: &str = include_str!("../schema/device.schema.json");

@@ -3680,13 +3680,21 @@ pub mod dictionary {
     }
 
     impl sdo::Values for Dictionary {
-        const TABLE: &'static sdo::Dictionary = &TABLE;
+        #[inline]
+        fn table(&self) -> &'static sdo::Dictionary {
+            &TABLE
+        }
 
-        const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-            outputs: Some(<C887 as Carries<Rx>>::SYNC_MANAGER),
-            inputs: Some(<C887 as Carries<Tx>>::SYNC_MANAGER),
-            max_bytes: &[],
-        });
+        #[inline]
+        fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+            Some(&const {
+                sdo::PdoRules {
+                    outputs: Some(<C887 as Carries<Rx>>::SYNC_MANAGER),
+                    inputs: Some(<C887 as Carries<Tx>>::SYNC_MANAGER),
+                    max_bytes: &[],
+                }
+            })
+        }
 
         fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
             let item = usize::from(place.item);

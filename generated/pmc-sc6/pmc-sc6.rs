@@ -5564,13 +5564,21 @@ pub mod double {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<Double as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<Double as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<Double as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<Double as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 match place.field {
@@ -11570,13 +11578,21 @@ pub mod single {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<Single as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<Single as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<Single as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<Single as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
@@ -18144,13 +18160,21 @@ pub mod double_hires {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<DoubleHires as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<DoubleHires as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<DoubleHires as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<DoubleHires as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 match place.field {
@@ -24045,13 +24069,21 @@ pub mod single_hires {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<SingleHires as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<SingleHires as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<SingleHires as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<SingleHires as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);

@@ -5841,13 +5841,21 @@ pub mod s300 {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<S300 as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<S300 as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[(0x1600, 64), (0x1A00, 64)],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<S300 as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<S300 as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[(0x1600, 64), (0x1A00, 64)],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
@@ -10888,13 +10896,21 @@ pub mod s400 {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<S400 as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<S400 as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<S400 as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<S400 as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
@@ -15839,13 +15855,21 @@ pub mod s600 {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<S600 as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<S600 as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<S600 as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<S600 as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);
@@ -22283,13 +22307,21 @@ pub mod s700 {
         }
 
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
 
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: Some(<S700 as Carries<Rx>>::SYNC_MANAGER),
-                inputs: Some(<S700 as Carries<Tx>>::SYNC_MANAGER),
-                max_bytes: &[(0x1600, 64), (0x1A00, 64)],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules {
+                        outputs: Some(<S700 as Carries<Rx>>::SYNC_MANAGER),
+                        inputs: Some(<S700 as Carries<Tx>>::SYNC_MANAGER),
+                        max_bytes: &[(0x1600, 64), (0x1A00, 64)],
+                    }
+                })
+            }
 
             fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
                 let item = usize::from(place.item);

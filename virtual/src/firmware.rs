@@ -2,13 +2,17 @@
 
 use std::time::Duration;
 
-use devc_runtime::esm::{AlControl, AlStatus, AlStatusCode, Configured};
+use devc_runtime::esm::{AlControl, AlStatus, AlStatusCode, Areas, Configured, Lengths};
 
 /// The firmware of a device, as its EtherCAT subdevice controller (ESC) sees it: the controller has the memory, the
 /// sync managers and the wire; the firmware has the states, the mailbox and what process data means.
 pub trait Firmware {
     /// A master wrote AL control. `managers` are the settings of sync managers 0 to 3 at that moment.
     fn request(&mut self, control: AlControl, managers: &[Configured; 4]);
+
+    /// What the sync managers have to be: where they may lie, and the present lengths of process data. A master is told by it
+    /// what is wrong with its settings.
+    fn expected(&mut self) -> (Areas, Lengths);
 
     /// What AL status and AL status code show.
     fn status(&self) -> (AlStatus, AlStatusCode);
@@ -32,4 +36,42 @@ pub trait Firmware {
 
     /// Time goes on.
     fn step(&mut self, elapsed: Duration);
+}
+
+impl<F: Firmware + ?Sized> Firmware for Box<F> {
+    fn request(&mut self, control: AlControl, managers: &[Configured; 4]) {
+        (**self).request(control, managers);
+    }
+
+    fn expected(&mut self) -> (Areas, Lengths) {
+        (**self).expected()
+    }
+
+    fn status(&self) -> (AlStatus, AlStatusCode) {
+        (**self).status()
+    }
+
+    fn mail(&mut self, message: &[u8], answer: &mut [u8]) -> usize {
+        (**self).mail(message, answer)
+    }
+
+    fn more_mail(&mut self, answer: &mut [u8]) -> usize {
+        (**self).more_mail(answer)
+    }
+
+    fn outputs(&mut self, image: &[u8]) {
+        (**self).outputs(image);
+    }
+
+    fn inputs(&mut self, image: &mut [u8]) {
+        (**self).inputs(image);
+    }
+
+    fn watchdog_expired(&mut self) {
+        (**self).watchdog_expired();
+    }
+
+    fn step(&mut self, elapsed: Duration) {
+        (**self).step(elapsed);
+    }
 }

@@ -11,7 +11,7 @@ use std::sync::{Arc, LazyLock};
 use proc_macro2::{TokenStream, TokenTree};
 use quick_xml::events::Event;
 
-use super::{ALL, Options};
+use super::{ALL, Options, emit};
 use crate::diagnostic::{Diagnostic, Diagnostics, Level};
 use crate::lint::{Checked, Levels, check};
 use crate::model::Family;
@@ -25,6 +25,9 @@ const HAZARDS: &str = "\0\u{7}\u{8}\r\u{1B}[31m\u{7F}\u{85}\u{9B}31m\u{2028}\u{2
 /// What means something to XML, Markdown, HTML, Mermaid, Rust or TOML. No colon is among it, since in a reference one
 /// stands before a subindex.
 const MARKUP: &str = "x'\"<b x=\"1\">&amp;]]>-->--*/ /*// | `a``b```[c](d)](#e \\\\ \\ {x} {{y}} {%z%} \nf\n# g\n- h\n\ti $j$ ~~k~~ %0A ;#";
+
+/// The ends of files that hold bytes, whatever the texts are.
+const BYTES: [&str; 2] = ["bin", "hex"];
 
 /// The text that is put at the end of others, and exchanged for dangerous ones when it is known where it can be.
 const MARK: &str = "qzq";
@@ -145,9 +148,15 @@ fn outputs(with: &str) -> Vec<(String, String)> {
         let document = Document { root: exchanged(&document.root, with), ..document.clone() };
         let family = family(&document, sources, &format!("{name} {with}"));
         let family = family.unwrap_or_else(|it| panic!("{name}: {:?}", it.iter().next()));
-        ALL.iter()
-            .map(|it| (format!("{name}.{}", it.name()), it.emit(&family, &Options::default())))
-            .collect::<Vec<_>>()
+        let files = emit(&family, ALL, &Options::default()).0;
+        let texts = files.into_iter().filter_map(|(file, bytes)| {
+            let (_, end) = file.rsplit_once('.')?;
+            if BYTES.contains(&end) {
+                return None;
+            }
+            Some((format!("{name}.{end}"), String::from_utf8(bytes).ok()?))
+        });
+        texts.collect::<Vec<_>>()
     });
     made.collect()
 }
@@ -171,6 +180,7 @@ fn skeleton(name: &str, text: &str) -> Vec<String> {
             members(&serde_json::from_str(text).expect("JSON"), &mut names);
             names
         }
+        Some("html") => tags(text),
         Some("rs") => tokens(text.parse().expect("Rust")),
         _ => {
             let mut fenced = false;
@@ -198,6 +208,13 @@ fn elements(text: &str) -> Vec<String> {
             _ => {}
         }
     }
+}
+
+/// The tags of a page by name, and what else begins with their sign. What cannot be shown as it is typed is plain text instead.
+fn tags(text: &str) -> Vec<String> {
+    let ends = |c: char| c.is_whitespace() || "<>\"=".contains(c);
+    let names = text.split('<').skip(1).filter_map(|tag| tag.split(ends).next());
+    names.filter(|name| !name.ends_with("code")).map(str::to_owned).collect()
 }
 
 fn members(value: &serde_json::Value, names: &mut Vec<String>) {

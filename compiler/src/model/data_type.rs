@@ -64,6 +64,44 @@ impl DataType {
             Self::Real32 | Self::Real64 | Self::Text(_) | Self::Octets(_) | Self::Unicode(_) => None,
         }
     }
+
+    /// Its number in the dictionary: CiA 301, data type definitions, and ETG.1020, base data types.
+    pub fn code(self) -> u16 {
+        match self {
+            Self::Bool => 0x01,
+            Self::Int(8) => 0x02,
+            Self::Int(16) => 0x03,
+            Self::Int(32) => 0x04,
+            Self::Uint(8) => 0x05,
+            Self::Uint(16) => 0x06,
+            Self::Uint(32) => 0x07,
+            Self::Real32 => 0x08,
+            Self::Text(_) => 0x09,
+            Self::Octets(_) => 0x0A,
+            Self::Unicode(_) => 0x0B,
+            Self::Real64 => 0x11,
+            Self::Int(24) => 0x10,
+            // 40 to 64 bits follow one another, and so do those without a sign; 0x17 is a time
+            Self::Int(bits) => 0x0D + u16::from(bits / 8),
+            Self::Uint(24) => 0x16,
+            Self::Uint(bits) => 0x13 + u16::from(bits / 8),
+            Self::Bitstring(8) => 0x1E,
+            Self::Bitstring(16) => 0x1F,
+            Self::Bitstring(_) => 0x20,
+            Self::Bits(bits) => 0x2F + u16::from(bits),
+        }
+    }
+
+    /// The type that says of a value no more than how wide it is, if there is one.
+    pub fn of_width(bits: u32) -> Option<Self> {
+        let narrow = u8::try_from(bits).ok()?;
+        match narrow {
+            8 | 16 | 32 => Some(Self::Bitstring(narrow)),
+            1..8 => Some(Self::Bits(narrow)),
+            24 | 40 | 48 | 56 | 64 => Some(Self::Uint(narrow)),
+            _ => None,
+        }
+    }
 }
 
 impl fmt::Display for DataType {
@@ -201,6 +239,43 @@ mod tests {
         }
         for nothing in ["", "INTEGER7", "ARRAY [0..7] OF INT", "STRING(-1)", "ARRAY [0..65535] OF BYTE"] {
             assert_eq!(DataType::named_elsewhere(nothing), None, "{nothing}");
+        }
+    }
+
+    /// Numbers of CiA 301 and ETG.1020.
+    #[test]
+    fn types_have_their_numbers() {
+        let numbers = [
+            ("BOOL", 0x01),
+            ("INT8", 0x02),
+            ("INT16", 0x03),
+            ("INT24", 0x10),
+            ("INT32", 0x04),
+            ("INT40", 0x12),
+            ("INT48", 0x13),
+            ("INT56", 0x14),
+            ("INT64", 0x15),
+            ("UINT8", 0x05),
+            ("UINT16", 0x06),
+            ("UINT24", 0x16),
+            ("UINT32", 0x07),
+            ("UINT40", 0x18),
+            ("UINT48", 0x19),
+            ("UINT56", 0x1A),
+            ("UINT64", 0x1B),
+            ("REAL32", 0x08),
+            ("REAL64", 0x11),
+            ("STRING(4)", 0x09),
+            ("OCTET_STRING(4)", 0x0A),
+            ("UNICODE_STRING(4)", 0x0B),
+            ("BYTE", 0x1E),
+            ("WORD", 0x1F),
+            ("DWORD", 0x20),
+            ("BIT1", 0x30),
+            ("BIT8", 0x37),
+        ];
+        for (name, number) in numbers {
+            assert_eq!(name.parse::<DataType>().unwrap().code(), number, "{name}");
         }
     }
 

@@ -1,6 +1,6 @@
 //! Finding parts of a device.
 
-use super::{Address, Device, Direction, Entry, Index, Object, Pdo, Role, SyncManager, Unit, Word};
+use super::{Address, Device, Direction, Entry, Index, Object, Pdo, Role, SyncManager, SyncMode, Unit, Word};
 
 impl Device {
     /// The object of this index.
@@ -42,6 +42,32 @@ impl Device {
     /// The PDOs that a sync manager carries by default, in order.
     pub fn assigned_to<'d>(&'d self, manager: &'d SyncManager) -> impl Iterator<Item = &'d Pdo> {
         manager.pdos.iter().filter_map(|index| self.pdo(*index))
+    }
+
+    /// The sync manager that carries a PDO by default.
+    pub fn manager_of(&self, pdo: &Pdo) -> Option<&SyncManager> {
+        self.sync_managers.iter().find(|manager| manager.pdos.contains(&pdo.index))
+    }
+
+    /// The PDOs of a direction by index, but those assigned at start-up in the order of their assignment: masters lay
+    /// out the process image in the order in which they are told of them.
+    pub fn pdos_in_order(&self, direction: Direction) -> Vec<&Pdo> {
+        let mut assigned = self.sync_managers.iter().flat_map(|manager| self.assigned_to(manager));
+        let mut next_assigned = || assigned.by_ref().find(|pdo| pdo.direction == direction);
+        let in_place = |it| if self.manager_of(it).is_some() { next_assigned().unwrap_or(it) } else { it };
+        self.pdos_of(direction).map(in_place).collect()
+    }
+
+    /// The sync managers that have a mapping unit each, in the usual order: outputs, inputs, and the state of the mailbox.
+    pub fn mapping_units(&self) -> impl Iterator<Item = &SyncManager> {
+        let roles = [Role::Outputs, Role::Inputs, Role::MailboxIn].into_iter();
+        roles.flat_map(|role| self.sync_managers_of(role))
+    }
+
+    /// The ways to keep time, the default first; none if the device makes no use of distributed clocks.
+    pub fn clock_modes(&self) -> &[SyncMode] {
+        let synchronous = self.sync_modes.iter().any(|mode| mode.assign_activate != 0);
+        if synchronous { &self.sync_modes } else { &[] }
     }
 
     /// The sync units that PDOs name, each once.

@@ -5,6 +5,8 @@
 //! output is this model, word for word.
 
 mod axis;
+mod bounds;
+mod carried;
 mod citation;
 mod compare;
 mod configuration;
@@ -18,12 +20,15 @@ mod front;
 mod homing;
 pub(crate) mod ids;
 mod index;
+mod kept;
 mod keyed;
 mod literal;
 mod lookup;
+mod machine;
 mod meaning;
 mod mode;
 mod object;
+mod on_axis;
 mod parameter;
 mod pattern;
 mod pdo;
@@ -46,6 +51,8 @@ mod value;
 mod word;
 
 pub use axis::{Area, Arrangement, Axis, Shift};
+pub use bounds::Bounds;
+pub use carried::Carried;
 pub use citation::Source;
 pub use compare::{Compare, differences};
 pub use configuration::{ChosenWrite, Configuration, SdoWrite};
@@ -59,6 +66,7 @@ pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Ste
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
 pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
+pub use machine::Given;
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
 pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
 pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger, WriteWindow};

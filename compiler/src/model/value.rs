@@ -45,6 +45,14 @@ impl Value {
         bytes
     }
 
+    /// The number it is, if it is one.
+    pub fn real(&self) -> Option<f64> {
+        match self {
+            Self::Real(value) => Some(*value),
+            other => other.integer().map(|value| value as f64),
+        }
+    }
+
     /// The whole number it is, if it is one.
     pub fn integer(&self) -> Option<i128> {
         match self {

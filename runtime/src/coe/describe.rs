@@ -26,8 +26,12 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
         let answered = match (self.names, asked.operation) {
             (None, _) => Err(AbortCode::UNSUPPORTED_ACCESS),
             (_, Operation::GetList) => Ok(self.list(asked.data, envelope, answer)?),
-            (Some(names), Operation::GetObject) => object::<V>(names, asked.data, envelope, answer)?,
-            (Some(names), Operation::GetEntry) => described::<V>(names, asked.data, envelope, answer)?,
+            (Some(names), Operation::GetObject) => {
+                object(&self.server.values, names, asked.data, envelope, answer)?
+            }
+            (Some(names), Operation::GetEntry) => {
+                described(&self.server.values, names, asked.data, envelope, answer)?
+            }
             _ => Err(AbortCode::UNKNOWN_COMMAND_SPECIFIER),
         };
         answered.or_else(|code| {
@@ -42,7 +46,7 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
             return Information::new(Operation::Error, &code).encode(envelope, answer);
         };
         if kind == ListKind::Counts {
-            return counts(V::TABLE, envelope, answer);
+            return counts(self.server.values.table(), envelope, answer);
         }
         self.transfer = Transfer::List { kind, done: 0 };
         self.list_piece(envelope, answer)
@@ -52,7 +56,7 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
     pub(super) fn list_piece(&mut self, envelope: Envelope, answer: &mut [u8]) -> Result<usize, Malformed> {
         let Transfer::List { kind, done } = self.transfer else { return Ok(0) };
         let room = answer.len().saturating_sub(LIST_HEAD) / 2;
-        let left = usize::from(count(V::TABLE, kind)).saturating_sub(done);
+        let left = usize::from(count(self.server.values.table(), kind)).saturating_sub(done);
         let here = left.min(room);
         let fragments = left.saturating_sub(here).checked_div(room).ok_or(Malformed::NoRoom)?;
         let is_uneven = left.saturating_sub(here).checked_rem(room) != Some(0);
@@ -66,7 +70,7 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
         if done == 0 {
             body = body.put(&(kind as u16).to_le_bytes());
         }
-        for (index, _) in listed(V::TABLE, kind).skip(done).take(here) {
+        for (index, _) in listed(self.server.values.table(), kind).skip(done).take(here) {
             body = body.put(&index.to_le_bytes());
         }
         let length = body.end()?;
@@ -106,28 +110,40 @@ fn count(table: &Dictionary, kind: ListKind) -> u16 {
 /// A question may be refused, and an answer may not fit.
 type Answered = Result<Result<usize, AbortCode>, Malformed>;
 
-fn object<V: Values>(names: &Names, asked: &[u8], envelope: Envelope, answer: &mut [u8]) -> Answered {
+fn object(
+    values: &impl Values,
+    names: &Names,
+    asked: &[u8],
+    envelope: Envelope,
+    answer: &mut [u8],
+) -> Answered {
     let index = u16::from_le_bytes(*asked.first_chunk::<2>().ok_or(Malformed::TooShort)?);
-    let Some(object) = V::TABLE.object(index) else { return Ok(Err(AbortCode::NO_SUCH_OBJECT)) };
+    let Some(object) = values.table().object(index) else { return Ok(Err(AbortCode::NO_SUCH_OBJECT)) };
     let single = object.entries.first().filter(|_| object.code == ObjectCode::Variable);
     let description = ObjectDescription {
         index,
         data_type: single.map_or(DataType(0), |entry| entry.data_type),
         highest_subindex: object.highest_subindex(),
         code: object.code as u8,
-        name: names.object(V::TABLE, index).as_bytes(),
+        name: names.object(values.table(), index).as_bytes(),
     };
     description.encode(envelope, answer).map(Ok)
 }
 
-fn described<V: Values>(names: &Names, asked: &[u8], envelope: Envelope, answer: &mut [u8]) -> Answered {
+fn described(
+    values: &impl Values,
+    names: &Names,
+    asked: &[u8],
+    envelope: Envelope,
+    answer: &mut [u8],
+) -> Answered {
     let (address, wanted) = entry(asked)?;
-    let found = match found::<V>(address) {
+    let found = match found(values, address) {
         Ok(found) => found,
         Err(code) => return Ok(Err(code)),
     };
     let mut buffer = [0; 24];
-    let (value_info, length) = tell::<V>(found, wanted.first().copied().unwrap_or(0), &mut buffer)?;
+    let (value_info, length) = tell(values, found, wanted.first().copied().unwrap_or(0), &mut buffer)?;
     let description = EntryDescription {
         address,
         value_info,
@@ -135,25 +151,30 @@ fn described<V: Values>(names: &Names, asked: &[u8], envelope: Envelope, answer:
         bits: found.entry.bits,
         access: found.entry.access,
         values: buffer.get(..length).unwrap_or_default(),
-        name: names.entry(V::TABLE, address).as_bytes(),
+        name: names.entry(values.table(), address).as_bytes(),
     };
     description.encode(envelope, answer).map(Ok)
 }
 
 /// Writes those of the values asked for that there are, and tells which these are and how many bytes.
-fn tell<V: Values>(found: Found, asked: u8, buffer: &mut [u8; 24]) -> Result<(u8, usize), Malformed> {
+fn tell(
+    values: &impl Values,
+    found: Found,
+    asked: u8,
+    buffer: &mut [u8; 24],
+) -> Result<(u8, usize), Malformed> {
     let length = usize::from(found.entry.bytes());
     let limits =
-        found.place().and_then(|place| Range::of(V::RANGES, place)).map(|limits| limits.bytes(length));
+        found.place().and_then(|place| Range::of(values.ranges(), place)).map(|limits| limits.bytes(length));
     let (least, greatest) = limits.map_or((None, None), |[least, greatest]| (Some(least), Some(greatest)));
-    let default = V::TABLE.constant(found).filter(|_| !found.entry.data_type.is_text());
-    let values = [
+    let default = values.table().constant(found).filter(|_| !found.entry.data_type.is_text());
+    let told_of = [
         (0x10, default),
         (0x20, least.as_ref().map(<[u8; 8]>::as_slice)),
         (0x40, greatest.as_ref().map(<[u8; 8]>::as_slice)),
     ];
     let (mut told, mut writer) = (0, Writer::new(buffer));
-    for (bit, value) in values.into_iter().filter(|(bit, _)| asked & bit != 0) {
+    for (bit, value) in told_of.into_iter().filter(|(bit, _)| asked & bit != 0) {
         if let Some(value) = value.and_then(|value| value.get(..length)) {
             (told, writer) = (told | bit, writer.put(value));
         }

@@ -93,6 +93,9 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
     /// What an answer goes on with, once the master has read what came before: the next piece of a list. Its length is
     /// 0 if nothing is left.
     pub fn proceed(&mut self, answer: &mut [u8]) -> usize {
+        if !matches!(self.transfer, Transfer::List { .. }) {
+            return 0;
+        }
         let envelope = Envelope { counter: self.count(), ..Envelope::new(Service::SDO_INFORMATION) };
         self.list_piece(envelope, answer).unwrap_or(0)
     }

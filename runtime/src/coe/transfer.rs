@@ -154,7 +154,7 @@ impl<V: Values, H: Hooks<V>, const BUFFER: usize> Mailbox<V, H, BUFFER> {
         self.transfer = Transfer::None;
         let refuse = |code| Refusal::Abort(from.address, code);
         let Some(size) = size else {
-            let bytes = found::<V>(from.address).map_err(refuse)?.entry.bytes();
+            let bytes = found(&self.server.values, from.address).map_err(refuse)?.entry.bytes();
             return write(&mut self.server, from, data.get(..bytes.into()).unwrap_or(data), state);
         };
         let size = usize::try_from(size).map_err(|_| refuse(AbortCode::OUT_OF_MEMORY))?;

@@ -29,8 +29,8 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         from: Address,
         state: CommunicationState,
     ) -> Result<(), AbortCode> {
-        let object = whole::<V>(from)?;
-        if !V::COMPLETE_ACCESS {
+        let object = whole(&self.values, from)?;
+        if !self.values.has_complete_access() {
             return Err(AbortCode::UNSUPPORTED_ACCESS);
         }
         for entry in entries(object, from.subindex, u8::MAX) {
@@ -52,8 +52,8 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         part: &mut Part<'_>,
     ) -> Result<(), AbortCode> {
-        let object = whole::<V>(from)?;
-        if !V::COMPLETE_ACCESS {
+        let object = whole(&self.values, from)?;
+        if !self.values.has_complete_access() {
             return Err(AbortCode::UNSUPPORTED_ACCESS);
         }
         let count = self.count(from.index)?;
@@ -61,7 +61,9 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         for entry in entries(object, from.subindex, count) {
             let mut scratch = Scratch::default();
             let value = match entry.access.check_read(state) {
-                Ok(()) => self.value(found::<V>(Address::new(from.index, entry.subindex))?, &mut scratch)?,
+                Ok(()) => {
+                    self.value(found(&self.values, Address::new(from.index, entry.subindex))?, &mut scratch)?
+                }
                 Err(_) => &[],
             };
             bits.put(entry, value);
@@ -79,8 +81,8 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         data: &[u8],
     ) -> Result<(), AbortCode> {
-        let object = whole::<V>(from)?;
-        if !V::COMPLETE_ACCESS {
+        let object = whole(&self.values, from)?;
+        if !self.values.has_complete_access() {
             return Err(AbortCode::UNSUPPORTED_ACCESS);
         }
         let count = self.count_after(object, from, state, data)?;
@@ -94,12 +96,17 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         let writable = || places().filter(|(entry, _)| entry.access.check_write(state).is_ok());
         for (entry, place) in writable() {
             let to = Address::new(from.index, entry.subindex);
-            check::<V>(found::<V>(to)?, to, piece(data, entry, place, &mut Scratch::default()))?;
+            check(
+                &self.values,
+                found(&self.values, to)?,
+                to,
+                piece(data, entry, place, &mut Scratch::default()),
+            )?;
         }
         let is_count = |(entry, _): &(&EntryInfo, usize)| entry.subindex == 0;
         for (entry, place) in writable().filter(|it| !is_count(it)).chain(writable().filter(is_count)) {
             let to = Address::new(from.index, entry.subindex);
-            self.write(found::<V>(to)?, to, piece(data, entry, place, &mut Scratch::default()))?;
+            self.write(found(&self.values, to)?, to, piece(data, entry, place, &mut Scratch::default()))?;
         }
         Ok(())
     }
@@ -121,7 +128,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 
     /// The present number of entries.
     fn count(&mut self, index: u16) -> Result<u8, AbortCode> {
-        let found = found::<V>(Address::new(index, 0))?;
+        let found = found(&self.values, Address::new(index, 0))?;
         let mut scratch = Scratch::default();
         Ok(self.value(found, &mut scratch)?.first().copied().unwrap_or(0))
     }
@@ -129,12 +136,12 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 
 /// The object, if it can be transferred as a whole. Those who call this ask once more whether the device does that at
 /// all: so the compiler leaves out what comes after, where it does not.
-fn whole<V: Values>(from: Address) -> Result<&'static ObjectInfo, AbortCode> {
-    let object = V::TABLE.object(from.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
+fn whole(values: &impl Values, from: Address) -> Result<&'static ObjectInfo, AbortCode> {
+    let object = values.table().object(from.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
     if from.subindex > 1 {
         return Err(AbortCode::NO_SUCH_SUBINDEX);
     }
-    if !V::COMPLETE_ACCESS || object.code == ObjectCode::Variable {
+    if !values.has_complete_access() || object.code == ObjectCode::Variable {
         return Err(AbortCode::UNSUPPORTED_ACCESS);
     }
     if object.entries.iter().any(|entry| entry.data_type.is_text()) {

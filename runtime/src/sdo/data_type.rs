@@ -66,7 +66,7 @@ impl DataType {
     }
 
     /// Whether its values have a sign.
-    pub(crate) const fn is_signed(self) -> bool {
+    pub const fn is_signed(self) -> bool {
         matches!(
             self,
             Self::INTEGER8

@@ -51,7 +51,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 
     /// Lets the firmware compute an entry that is going to be read.
     pub(crate) fn prepare(&mut self, address: Address, state: CommunicationState) -> Result<(), AbortCode> {
-        found::<V>(address)?.entry.access.check_read(state)?;
+        found(&self.values, address)?.entry.access.check_read(state)?;
         self.hooks.before_upload(&mut self.values, address)
     }
 
@@ -62,7 +62,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         part: &mut Part<'_>,
     ) -> Result<(), AbortCode> {
-        let found = found::<V>(address)?;
+        let found = found(&self.values, address)?;
         found.entry.access.check_read(state)?;
         part.put(self.value(found, &mut Scratch::default())?);
         Ok(())
@@ -75,9 +75,9 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         data: &[u8],
     ) -> Result<(), AbortCode> {
-        let found = found::<V>(address)?;
+        let found = found(&self.values, address)?;
         found.entry.access.check_write(state)?;
-        check::<V>(found, address, data)?;
+        check(&self.values, found, address, data)?;
         self.judge(address, data)?;
         self.write(found, address, data)
     }
@@ -89,7 +89,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         state: CommunicationState,
         length: usize,
     ) -> Result<(), AbortCode> {
-        let found = found::<V>(address)?;
+        let found = found(&self.values, address)?;
         found.entry.access.check_write(state)?;
         if length > usize::from(found.entry.bytes()) { Err(AbortCode::LENGTH_TOO_HIGH) } else { Ok(()) }
     }
@@ -109,7 +109,9 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         found: Found,
         scratch: &'s mut Scratch,
     ) -> Result<&'s [u8], AbortCode> {
-        let Some(place) = found.place() else { return Ok(V::TABLE.constant(found).unwrap_or_default()) };
+        let Some(place) = found.place() else {
+            return Ok(self.values.table().constant(found).unwrap_or_default());
+        };
         let slot = self.values.slot(place).ok_or(AbortCode::DEVICE_INCOMPATIBLE)?;
         let bytes = slot.bytes(scratch);
         let bytes = bytes.get(..found.entry.bytes().into()).unwrap_or(bytes);
@@ -122,12 +124,17 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 }
 
 /// Finds an entry. Lookups are inlined; those of the server are all made here, so that a firmware has one.
-pub(crate) fn found<V: Values>(address: Address) -> Result<Found, AbortCode> {
-    V::TABLE.find(address)
+pub(crate) fn found(values: &impl Values, address: Address) -> Result<Found, AbortCode> {
+    values.table().find(address)
 }
 
 /// Whether data has the length and the value that the table asks for.
-pub(super) fn check<V: Values>(found: Found, address: Address, data: &[u8]) -> Result<(), AbortCode> {
+pub(super) fn check(
+    values: &impl Values,
+    found: Found,
+    address: Address,
+    data: &[u8],
+) -> Result<(), AbortCode> {
     let (entry, length) = (found.entry, usize::from(found.entry.bytes()));
     if data.len() > length {
         return Err(AbortCode::LENGTH_TOO_HIGH);
@@ -135,10 +142,10 @@ pub(super) fn check<V: Values>(found: Found, address: Address, data: &[u8]) -> R
     if data.len() < length && !entry.data_type.is_text() {
         return Err(AbortCode::LENGTH_TOO_LOW);
     }
-    if !counts_process_data::<V>(address) && !fits(found, data) {
+    if !counts_process_data(values, address) && !fits(found, data) {
         return Err(AbortCode::VALUE_TOO_HIGH);
     }
-    let limits = found.place().and_then(|place| Range::of(V::RANGES, place));
+    let limits = found.place().and_then(|place| Range::of(values.ranges(), place));
     limits.map_or(Ok(()), |limits| limits.check(data))
 }
 

@@ -5,18 +5,30 @@ use crate::bytes::copy;
 use crate::object::Value;
 
 /// The struct that has the values of a device's dictionary. Generated code implements it.
+///
+/// The tables are asked of the values, and are constants in generated code. So a program that reads descriptions while it
+/// runs can serve a device with tables that it made itself.
 pub trait Values {
     /// The table of all entries.
-    const TABLE: &'static Dictionary;
+    fn table(&self) -> &'static Dictionary;
 
     /// The bounds of the values that have any, ascending by place.
-    const RANGES: &'static [Range] = &[];
+    #[inline]
+    fn ranges(&self) -> &'static [Range] {
+        &[]
+    }
 
     /// Whether objects may be transferred as a whole (ETG.1000.6, complete access).
-    const COMPLETE_ACCESS: bool = false;
+    #[inline]
+    fn has_complete_access(&self) -> bool {
+        false
+    }
 
     /// What a master may make process data of; where there is nothing, mapping and assignment are objects as others.
-    const PROCESS_DATA: Option<&'static PdoRules> = None;
+    #[inline]
+    fn process_data(&self) -> Option<&'static PdoRules> {
+        None
+    }
 
     /// The value at a place that the table names; nothing elsewhere.
     fn slot(&mut self, place: Place) -> Option<Slot<'_>>;

@@ -51,13 +51,23 @@ impl Tiny {
 }
 
 impl Values for Tiny {
-    const TABLE: &'static Dictionary = &TABLE;
-    const RANGES: &'static [Range] = &[
-        range(1, Limits::Signed(-10, 1000)),
-        range(5, Limits::Unsigned(1, 0x80_0000)),
-        range(6, Limits::Real(0.5, 2.0)),
-    ];
-    const COMPLETE_ACCESS: bool = true;
+    fn table(&self) -> &'static Dictionary {
+        &TABLE
+    }
+
+    fn ranges(&self) -> &'static [Range] {
+        const {
+            &[
+                range(1, Limits::Signed(-10, 1000)),
+                range(5, Limits::Unsigned(1, 0x80_0000)),
+                range(6, Limits::Real(0.5, 2.0)),
+            ]
+        }
+    }
+
+    fn has_complete_access(&self) -> bool {
+        true
+    }
 
     fn slot(&mut self, place: Place) -> Option<Slot<'_>> {
         match (place.field, place.item) {

@@ -102,12 +102,12 @@ fn entries_are_described() {
         let asked = [low, high, address.subindex, 0];
         let pieces = ask(&mut mailbox(), 64, Operation::GetEntry, &asked);
         let [(Operation::Entry, 0, data)] = &pieces[..] else { panic!("{pieces:?}") };
-        let access = Tiny::TABLE.find(address).unwrap().entry.access;
+        let access = Tiny::NEW.table().find(address).unwrap().entry.access;
         let name = name.as_bytes();
         let entry = EntryDescription { address, value_info: 0, data_type, bits, access, values: &[], name };
         assert_eq!(EntryDescription::decode(data), Ok(entry));
     }
-    let access = Tiny::TABLE.find(GAIN).unwrap().entry.access;
+    let access = Tiny::NEW.table().find(GAIN).unwrap().entry.access;
     assert!(access.includes(Access::READ) && !access.includes(Access::WRITE));
 }
 

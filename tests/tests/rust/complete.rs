@@ -12,9 +12,17 @@ use devc_tests::esi_reader::{self, Device};
 struct Whole<V>(V);
 
 impl<V: Values> Values for Whole<V> {
-    const TABLE: &'static Dictionary = V::TABLE;
-    const RANGES: &'static [Range] = V::RANGES;
-    const COMPLETE_ACCESS: bool = true;
+    fn table(&self) -> &'static Dictionary {
+        self.0.table()
+    }
+
+    fn ranges(&self) -> &'static [Range] {
+        self.0.ranges()
+    }
+
+    fn has_complete_access(&self) -> bool {
+        true
+    }
 
     fn slot(&mut self, place: Place) -> Option<Slot<'_>> {
         self.0.slot(place)

@@ -76,8 +76,8 @@ fn concatenated(parts: &[(u64, usize)]) -> Vec<u8> {
 }
 
 /// Every entry that is mappable this way, with its width as the table has it.
-fn mappable<V: Values>(right: Access) -> Vec<Mapping> {
-    let entries = V::TABLE.objects().flat_map(|(index, object)| {
+fn mappable(values: &impl Values, right: Access) -> Vec<Mapping> {
+    let entries = values.table().objects().flat_map(|(index, object)| {
         object.entries.iter().filter(|entry| entry.access.includes(Access(right.0))).map(move |entry| {
             Mapping {
                 address: Address::new(index, entry.subindex),
@@ -92,7 +92,7 @@ fn mappable<V: Values>(right: Access) -> Vec<Mapping> {
 fn whatever_can_be_mapped_is_taken_by_a_free_mapping() {
     let mut mailbox = Mailbox::new(Server::new(s700::dictionary::Dictionary::DEFAULT, ()));
     for (pdo, right) in [(0x1600, Access::RX_PDO), (0x1A00, Access::TX_PDO)] {
-        let all = mappable::<s700::dictionary::Dictionary>(right);
+        let all = mappable(&s700::dictionary::Dictionary::DEFAULT, right);
         assert!(all.len() > 20, "{} in 0x{pdo:X}", all.len());
         for mapping in &all {
             assert_eq!(map(&mut mailbox, pdo, &[mapping.word()]), Ok(()), "{mapping:?}");
@@ -181,7 +181,7 @@ fn inputs_are_made_as_they_are_mapped() {
 #[test]
 fn what_is_sent_is_what_is_read() {
     type Dictionary = s700::dictionary::Dictionary;
-    let all = mappable::<Dictionary>(Access::TX_PDO);
+    let all = mappable(&Dictionary::DEFAULT, Access::TX_PDO);
     for first in 0..all.len() {
         let mut mailbox = Mailbox::new(Server::new(Dictionary::DEFAULT, ()));
         let mut bits = 0;

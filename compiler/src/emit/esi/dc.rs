@@ -6,8 +6,7 @@ use crate::model::{Device, SyncMode, SyncSignal};
 
 /// The operation modes, the default first; none if the device makes no use of distributed clocks.
 pub(super) fn dc(device: &Device) -> Option<Element> {
-    let synchronous = device.sync_modes.iter().any(|mode| mode.assign_activate != 0);
-    synchronous.then(|| Element::new("Dc").children(device.sync_modes.iter().map(op_mode)))
+    Element::new("Dc").children(device.clock_modes().iter().map(op_mode)).unless_empty()
 }
 
 fn op_mode(mode: &SyncMode) -> Element {

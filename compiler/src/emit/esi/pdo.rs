@@ -3,16 +3,11 @@
 use super::element::Element;
 use super::literal::Hex;
 use super::{names, primitive};
-use crate::model::{Device, Direction, Index, Mapped, Pdo, Role, SyncManager};
+use crate::model::{Device, Direction, Index, Mapped, Pdo, Role};
 
-/// The PDOs of a direction by index, but those assigned at start-up in the order of their assignment: masters
-/// lay out the process image in the order of the file.
+/// The PDOs of a direction.
 pub(super) fn in_order(device: &Device, direction: Direction) -> Vec<Element> {
-    let managers = device.sync_managers.iter();
-    let mut assigned = managers.flat_map(|manager| device.assigned_to(manager));
-    let mut next_assigned = || assigned.by_ref().find(|pdo| pdo.direction == direction);
-    let in_place = |it| if assigned_to(device, it).is_some() { next_assigned().unwrap_or(it) } else { it };
-    device.pdos_of(direction).map(in_place).map(|it| pdo(device, it)).collect()
+    device.pdos_in_order(direction).into_iter().map(|it| pdo(device, it)).collect()
 }
 
 /// A PDO. Only one that is assigned at start-up names its sync manager.
@@ -24,10 +19,10 @@ fn pdo(device: &Device, pdo: &Pdo) -> Element {
     Element::new(tag)
         .with_some("Fixed", pdo.fixed.then_some("1"))
         .with_some("Mandatory", pdo.mandatory.then_some("1"))
-        .with_some("Sm", assigned_to(device, pdo).map(|manager| manager.number))
+        .with_some("Sm", device.manager_of(pdo).map(|manager| manager.number))
         .with_some("Su", sync_unit(device, pdo))
         .child(Element::leaf("Index", Hex(pdo.index.0)))
-        .child(Element::worded("Name", names::on_axis(device, &pdo.name, pdo.axis)))
+        .child(Element::worded("Name", device.on_axis(&pdo.name, pdo.axis)))
         .children(excludes(device, pdo).into_iter().map(|other| Element::leaf("Exclude", Hex(other.0))))
         .children(pdo.entries.iter().map(|mapped| entry(device, pdo, mapped)))
 }
@@ -36,10 +31,6 @@ fn pdo(device: &Device, pdo: &Pdo) -> Element {
 fn sync_unit(device: &Device, pdo: &Pdo) -> Option<usize> {
     let unit = pdo.sync_unit.as_deref()?;
     device.sync_units().iter().position(|known| *known == unit)
-}
-
-fn assigned_to<'a>(device: &'a Device, pdo: &Pdo) -> Option<&'a SyncManager> {
-    device.sync_managers.iter().find(|manager| manager.pdos.contains(&pdo.index))
 }
 
 /// The PDOs that cannot be assigned together with another: those it names, and all others of its direction if the sync

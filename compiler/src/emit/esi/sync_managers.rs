@@ -4,16 +4,18 @@ use super::element::Element;
 use super::literal::Hex;
 use crate::model::{Device, Role, SyncManager};
 
-/// The mapping units in their usual order: outputs, inputs, and the state of the mailbox. Where there are several of a
-/// direction, each names its sync manager.
+/// The mapping units. Where there are several of a direction, each names its sync manager.
 pub(super) fn fmmus(device: &Device) -> Vec<Element> {
-    let units = [(Role::Outputs, "Outputs"), (Role::Inputs, "Inputs"), (Role::MailboxIn, "MBoxState")];
-    let of_role = |(role, name): (Role, &'static str)| {
-        let several = device.sync_managers_of(role).count() > 1;
-        let number = move |manager: &SyncManager| several.then_some(manager.number);
-        device.sync_managers_of(role).map(move |it| Element::leaf("Fmmu", name).with_some("Sm", number(it)))
+    let unit = |manager: &SyncManager| {
+        let name = match manager.role {
+            Role::Outputs => "Outputs",
+            Role::Inputs => "Inputs",
+            Role::MailboxIn | Role::MailboxOut => "MBoxState",
+        };
+        let several = device.sync_managers_of(manager.role).count() > 1;
+        Element::leaf("Fmmu", name).with_some("Sm", several.then_some(manager.number))
     };
-    units.into_iter().flat_map(of_role).collect()
+    device.mapping_units().map(unit).collect()
 }
 
 /// A sync manager.

@@ -8,28 +8,16 @@ use super::literal::{hex16, number};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::states;
-use crate::model::{Command, Device, Pattern, Transition};
-
-/// What a controlword asks for, and of which transitions.
-struct Given<'a> {
-    /// The word for it.
-    id: String,
-    name: String,
-    pattern: &'a Pattern,
-    transitions: Vec<u8>,
-    /// The states in which it does nothing.
-    ignored_in: &'a [String],
-    doc: Doc,
-}
+use crate::model::{Device, Given, Pattern};
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let given = given(scope.device);
+    let given: Vec<Given<'_>> = scope.device.given().collect();
     if given.is_empty() {
         return TokenStream::new();
     }
     let mut names = Names::with(&["ALL"]);
-    let names: Vec<Ident> = given.iter().map(|command| names.claim(&shout(&command.id))).collect();
-    let commands = given.iter().zip(&names).map(|(command, name)| constant(command, name));
+    let names: Vec<Ident> = given.iter().map(|command| names.claim(&shout(&id(*command)))).collect();
+    let commands = given.iter().zip(&names).map(|(command, name)| constant(scope.device, *command, name));
     quote! {
         /// The commands of the controlword.
         pub mod commands {
@@ -44,52 +32,41 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
 
 /// Every command; the list of them, for what refers to it.
 pub(super) fn list(device: &Device) -> TokenStream {
-    if given(device).is_empty() { quote!(&[]) } else { quote!(commands::ALL) }
+    if device.given().next().is_none() { quote!(&[]) } else { quote!(commands::ALL) }
 }
 
-/// The commands, and a command for each transition that has bits of its own.
-fn given(device: &Device) -> Vec<Given<'_>> {
-    let commands = device.commands.iter().filter_map(|command| of_command(device, command));
-    commands.chain(device.transitions.iter().filter_map(|one| of_transition(device, one))).collect()
+/// The word for it.
+fn id(given: Given<'_>) -> String {
+    match given {
+        Given::Command(command, _) => command.id.clone(),
+        Given::Transition(one, _) => {
+            format!("{}-{}", one.command.as_deref().unwrap_or("Transition"), one.number)
+        }
+    }
 }
 
-fn of_command<'a>(device: &'a Device, command: &'a Command) -> Option<Given<'a>> {
-    let pattern = command.pattern.as_ref()?;
-    let doc = Doc::new(format!("{} `{pattern}`", sentence(&command.name)))
-        .maybe(command.about.as_deref())
-        .said(command.source.as_ref(), &command.origin, device);
-    let is_made =
-        |number: &&u8| !device.transitions.iter().any(|one| one.number == **number && !one.supported);
-    Some(Given {
-        id: command.id.clone(),
-        name: command.name.to_lowercase(),
-        pattern,
-        transitions: command.transitions.iter().filter(is_made).copied().collect(),
-        ignored_in: &command.ignored_in,
-        doc,
-    })
+fn doc(device: &Device, given: Given<'_>) -> Doc {
+    let pattern = given.pattern();
+    match given {
+        Given::Command(command, _) => Doc::new(format!("{} `{pattern}`", sentence(&command.name)))
+            .maybe(command.about.as_deref())
+            .said(command.source.as_ref(), &command.origin, device),
+        Given::Transition(one, _) => {
+            let name = one.command.as_deref().unwrap_or("Transition");
+            let title = sentence(&format!("{name}, transition {}", one.number));
+            Doc::new(format!("{title} `{pattern}`")).maybe(one.about.as_deref()).said(
+                one.source.as_ref(),
+                &one.origin,
+                device,
+            )
+        }
+    }
 }
 
-/// What makes a transition that follows bits of the controlword; one that is automatic does not wait for them.
-fn of_transition<'a>(device: &'a Device, transition: &'a Transition) -> Option<Given<'a>> {
-    let pattern = transition.pattern.as_ref().filter(|_| transition.supported && !transition.automatic)?;
-    let number = transition.number;
-    let name = transition.command.clone().unwrap_or_else(|| "Transition".into());
-    let doc = Doc::new(format!("{} `{pattern}`", sentence(&format!("{name}, transition {number}"))))
-        .maybe(transition.about.as_deref())
-        .said(transition.source.as_ref(), &transition.origin, device);
-    let id = format!("{name}-{number}");
-    let name = match transition.command {
-        Some(_) => name.to_lowercase(),
-        None => format!("transition {number}"),
-    };
-    Some(Given { id, name, pattern, transitions: vec![number], ignored_in: &[], doc })
-}
-
-fn constant(command: &Given<'_>, name: &Ident) -> TokenStream {
-    let Given { id: _, name: text, pattern, transitions, ignored_in, doc } = command;
+fn constant(device: &Device, given: Given<'_>, name: &Ident) -> TokenStream {
+    let (doc, text, pattern) = (doc(device, given), given.name(), given.pattern());
     let (mask, value, edge) = (hex16(pattern.mask()), hex16(pattern.value()), edge(pattern));
-    let (transitions, ignored_in) = (transitions.iter().copied().map(number), set(ignored_in));
+    let (transitions, ignored_in) = (device.set_off(given).into_iter().map(number), set(given.ignored_in()));
     quote! {
         #doc
         pub const #name: Command = Command {

@@ -8,7 +8,7 @@ use super::literal::{hex16, number};
 use super::names::Names;
 use super::scope::Scope;
 use super::{commands, states};
-use crate::model::{Device, Event, HomingBits, Mode, ModeChange, Refusal, Transition};
+use crate::model::{Device, Event, HomingBits, Mode, ModeChange, Refusal};
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let device = scope.device;
@@ -54,12 +54,9 @@ fn refusal(refusal: Refusal) -> TokenStream {
 
 /// What makes transitions, the most urgent first, then what hinders them.
 fn conditions(device: &Device) -> TokenStream {
-    let made = || device.transitions.iter().filter(|transition| transition.supported);
-    let mut caused: Vec<&Transition> = made().filter(|transition| !transition.events.is_empty()).collect();
-    caused.sort_by_key(|transition| (transition.events.iter().min(), transition.number));
-    let caused = caused.into_iter().map(|one| ("caused", one, &one.events));
-    let hindered =
-        made().filter(|one| !one.interlocks.is_empty()).map(|one| ("hindered", one, &one.interlocks));
+    let caused = device.caused().into_iter().map(|one| ("caused", one, &one.events));
+    let hindered = device.transitions.iter().filter(|one| one.supported && !one.interlocks.is_empty());
+    let hindered = hindered.map(|one| ("hindered", one, &one.interlocks));
     let rows = caused.chain(hindered).map(|(how, transition, of)| {
         let (how, number, events) = (format_ident!("{how}"), number(transition.number), events(of));
         quote!(Condition::#how(#number, #events))
@@ -90,14 +87,8 @@ fn event_name(event: Event) -> Ident {
 
 fn modes(scope: &Scope<'_>) -> TokenStream {
     let device = scope.device;
-    let mut supported: Vec<i16> = device
-        .modes
-        .iter()
-        .flat_map(|mode| std::iter::once(mode.code).chain(mode.aliases.iter().copied()))
-        .collect();
-    supported.sort_unstable();
-    supported.dedup();
-    let (supported, changes) = (codes(&supported), device.mode_changes.iter().map(change));
+    let supported = device.mode_codes().into_iter().map(number);
+    let changes = device.mode_changes.iter().map(change);
     let control = device.device_control.as_ref();
     let refusal = refusal(control.map_or(Refusal::Ignored, |control| control.wrong_mode));
     let states = control.map_or(&[][..], |control| &control.modes_selectable_in);

@@ -1,8 +1,8 @@
 //! From ids to identifiers.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::{Ident, Span};
+
+use crate::emit::identifier::{self, Claimed};
 
 /// Words that Rust keeps for itself but allows behind `r#`.
 const KEYWORDS: &[&str] = &[
@@ -17,69 +17,41 @@ const PATHS: &[&str] = &["crate", "self", "super", "Self", "_"];
 
 /// The id in `snake_case`.
 pub fn snake(id: &str) -> Ident {
-    ident(&words(id, str::to_ascii_lowercase).join("_"))
+    ident(&identifier::snake(id))
 }
 
 /// The id in `UpperCamelCase`.
 pub fn camel(id: &str) -> Ident {
-    ident(&camel_text(id))
+    ident(&identifier::camel(id))
 }
 
 /// The id in `SHOUTING_CASE`.
 pub(super) fn shout(id: &str) -> Ident {
-    ident(&words(id, str::to_ascii_uppercase).join("_"))
+    ident(&identifier::shout(id))
 }
 
-/// Identifiers of one namespace, each only once, with the first number that may still be free behind it.
+/// Identifiers of one namespace, each only once.
 #[derive(Debug, Default)]
-pub(super) struct Names {
-    taken: BTreeMap<String, u32>,
-}
+pub(super) struct Names(Claimed);
 
 impl Names {
     /// A namespace in which these are taken.
     pub(super) fn with(taken: &[&str]) -> Self {
-        Self { taken: taken.iter().map(|name| ((*name).to_owned(), 2)).collect() }
+        Self(Claimed::with(taken))
     }
 
     /// The identifier, or if it is taken, the identifier with the first free number.
     pub(super) fn claim(&mut self, wanted: &Ident) -> Ident {
-        let mut name = wanted.to_string();
-        if let Some(first) = self.taken.get(&name).copied() {
-            let plain = name.trim_start_matches("r#");
-            let numbered = (first..).map(|number| (number, format!("{plain}_{number}")));
-            let mut numbered = numbered;
-            let free = numbered.find(|(_, name)| !self.taken.contains_key(name));
-            let (number, numbered) = free.unwrap_or((first, name.clone()));
-            self.taken.insert(std::mem::replace(&mut name, numbered), number.saturating_add(1));
-        }
-        self.taken.insert(name.clone(), 2);
+        let wanted = wanted.to_string();
+        let plain = wanted.trim_start_matches("r#").to_owned();
+        let name = self.0.claim(wanted, |number| format!("{plain}_{number}"));
         ident(name.trim_start_matches("r#"))
     }
 
     /// Whether the identifier is taken.
     pub(super) fn has(&self, name: &Ident) -> bool {
-        self.taken.contains_key(&name.to_string())
+        self.0.has(&name.to_string())
     }
-}
-
-fn camel_text(id: &str) -> String {
-    let mut text = String::new();
-    for word in words(id, str::to_owned) {
-        // two numbers side by side would read as one
-        if text.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(|c: char| c.is_ascii_digit()) {
-            text.push('_');
-        }
-        let (first, rest) = word.split_at(1.min(word.len()));
-        text.push_str(&first.to_ascii_uppercase());
-        text.push_str(rest);
-    }
-    text
-}
-
-/// The runs of letters and digits.
-fn words(id: &str, case: impl Fn(&str) -> String) -> Vec<String> {
-    id.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).map(case).collect()
 }
 
 /// An identifier whatever the text is.

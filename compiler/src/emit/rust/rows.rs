@@ -187,13 +187,10 @@ fn data_type(data_type: DataType) -> TokenStream {
         DataType::Real32 => "DataType::REAL32".to_owned(),
         DataType::Real64 => "DataType::REAL64".to_owned(),
         DataType::Text(_) => "DataType::VISIBLE_STRING".to_owned(),
-        DataType::Octets(_) => "DataType(0x000A)".to_owned(),
         DataType::Unicode(_) => "DataType::UNICODE_STRING".to_owned(),
-        // ETG.1020, base data types: BYTE, WORD, DWORD and BIT1 to BIT8
-        DataType::Bitstring(8) => "DataType(0x001E)".to_owned(),
-        DataType::Bitstring(16) => "DataType(0x001F)".to_owned(),
-        DataType::Bitstring(_) => "DataType(0x0020)".to_owned(),
-        DataType::Bits(bits) => format!("DataType(0x{:04X})", 0x2F + u16::from(bits)),
+        DataType::Octets(_) | DataType::Bitstring(_) | DataType::Bits(_) => {
+            format!("DataType(0x{:04X})", data_type.code())
+        }
     };
     parsed(&name)
 }

@@ -24,13 +24,20 @@ pub(super) fn items(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let has_complete_access = scope.device.mailbox.as_ref().is_some_and(|mailbox| mailbox.complete_access);
     let complete_access = has_complete_access.then(|| {
         quote!(
-            const COMPLETE_ACCESS: bool = true;
+            #[inline]
+            fn has_complete_access(&self) -> bool {
+                true
+            }
         )
     });
     let process_data = process_data(scope);
     quote! {
         impl sdo::Values for Dictionary {
-            const TABLE: &'static sdo::Dictionary = &TABLE;
+            #[inline]
+            fn table(&self) -> &'static sdo::Dictionary {
+                &TABLE
+            }
+
             #constant
             #complete_access
             #process_data
@@ -57,11 +64,12 @@ fn process_data(scope: &Scope<'_>) -> Option<TokenStream> {
     let limits = limits.map(|(index, bytes)| quote!((#index, #bytes)));
     (!device.pdos.is_empty()).then(|| {
         quote! {
-            const PROCESS_DATA: Option<&'static sdo::PdoRules> = Some(&sdo::PdoRules {
-                outputs: #outputs,
-                inputs: #inputs,
-                max_bytes: &[#(#limits),*],
-            });
+            #[inline]
+            fn process_data(&self) -> Option<&'static sdo::PdoRules> {
+                Some(&const {
+                    sdo::PdoRules { outputs: #outputs, inputs: #inputs, max_bytes: &[#(#limits),*] }
+                })
+            }
         }
     })
 }

@@ -95,35 +95,11 @@ fn transitions(device: &Device) -> TokenStream {
 
 fn transition(device: &Device, transition: &Transition) -> Option<TokenStream> {
     let (number, to) = (number(transition.number), state(&transition.to)?);
-    let from = origins(device, transition).into_iter().filter_map(state).map(|from| quote!(State::#from));
+    let from = device.origins(transition).into_iter().filter_map(state).map(|from| quote!(State::#from));
     let coupling = match transition.axes {
         None => quote!(Coupling::Independent),
         Some(Axes::All) => quote!(Coupling::All),
         Some(Axes::Any) => quote!(Coupling::Any),
     };
     Some(quote!(transition(#number, &[#(#from),*], State::#to, #coupling)))
-}
-
-/// Where a transition starts. One that names no state is the start itself, or comes from every state but the one
-/// it ends in and what follows that without a command: no fault leads from a fault to its reaction.
-fn origins<'a>(device: &'a Device, transition: &'a Transition) -> Vec<&'a str> {
-    if !transition.from.is_empty() {
-        return transition.from.iter().map(String::as_str).collect();
-    }
-    let is_start = !device
-        .transitions
-        .iter()
-        .any(|other| other.to == transition.to && other.number != transition.number)
-        && device.transitions.iter().all(|other| other.number >= transition.number);
-    if is_start {
-        return Vec::new();
-    }
-    let follows = |id: &str| {
-        device
-            .transitions
-            .iter()
-            .any(|other| other.automatic && other.from.contains(&transition.to) && other.to == id)
-    };
-    let ids = device.states.iter().map(|state| state.id.as_str());
-    ids.filter(|id| *id != transition.to && !follows(id)).collect()
 }

@@ -12,7 +12,7 @@ use super::literal;
 use super::names::{Names, camel, snake};
 use super::scope::Scope;
 use super::types::{Primitive, ValueType};
-use crate::model::{Access, DataType, Entry, Index, Kind, Object, Provenance, provenance};
+use crate::model::{DataType, Entry, Index, Kind, Object};
 
 /// An object whose values can change.
 pub(super) struct Stored<'a> {
@@ -142,18 +142,9 @@ fn list_item(scope: &Scope<'_>, entry: &Entry) -> String {
     format!("- `{:02X}` {} {}", entry.address.subindex, name, entry::facts(scope, entry, None))
 }
 
-/// The entries that have to be kept: not those that never change, by their access or because they follow from the
-/// PDOs or from the number of entries. A mapping that is not fixed changes even if not by the mailbox.
+/// The entries that have to be kept.
 fn changeable<'a>(scope: &Scope<'_>, object: &'a Object) -> Vec<&'a Entry> {
-    let is_free = scope.device.pdo(object.index).is_some_and(|pdo| !pdo.fixed);
-    let fixed = |entry: &Entry| {
-        entry.access == Access::Const
-            || entry.access == Access::Ro
-                && !is_free
-                && provenance(&entry.origin, "type") == Provenance::Derived
-            || entry.access == Access::Ro && matches!(entry.data_type, DataType::Text(0))
-    };
-    object.entries.iter().filter(|entry| !fixed(entry)).collect()
+    object.entries.iter().filter(|entry| scope.device.keeps(object, entry)).collect()
 }
 
 /// Whether the values have one type and no gaps.

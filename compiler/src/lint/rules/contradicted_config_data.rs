@@ -1,6 +1,7 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
 use crate::model::{Device, Section};
+use crate::sii::checksum;
 
 rule! {
     /// The first bytes of the EEPROM become registers of the slave controller (ETG.1000.4, ETG.1000.6): PDI control
@@ -98,11 +99,4 @@ fn meaning(device: &Device, bytes: &[u8]) -> Vec<String> {
         ),
     ];
     faults.into_iter().filter(|(wrong, _)| *wrong).map(|(_, fault)| fault.to_owned()).collect()
-}
-
-/// CRC-8 with polynomial 0x07 and 0xFF at the start.
-fn checksum(bytes: &[u8]) -> u8 {
-    bytes.iter().fold(0xFF, |sum, byte| {
-        (0..8).fold(sum ^ byte, |sum, _| if sum & 0x80 != 0 { sum << 1 ^ 0x07 } else { sum << 1 })
-    })
 }

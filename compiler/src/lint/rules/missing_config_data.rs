@@ -5,7 +5,7 @@ use crate::model::{Device, Section};
 rule! {
     /// An EEPROM begins with what the slave controller needs to start: how it speaks with the firmware, how long its
     /// signals are. An ESI has these bytes, and readers miss them (ETG.2000). Without them, a tool that writes the EEPROM
-    /// of a new device can only turn that interface off; devc makes none up.
+    /// of a new device can only turn that interface off; devc makes none up, and so no image of the EEPROM.
     ///
     /// Only a device that a master can reach is asked for them: one with sync managers.
     ///
@@ -40,7 +40,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         false => (device.origin.header(), "no `[eeprom]`"),
     };
     let message = "an ESI needs the first bytes of the EEPROM".to_owned();
-    let diagnostic = Diagnostic::new(&RULE, message, at, label);
+    let diagnostic = Diagnostic::new(&RULE, message, at, label)
+        .note("without them there is no image of the EEPROM: a wrong byte can turn the interface to the firmware off");
     let help = "add `config-data` to `[eeprom]`: PDI control and what follows, as the firmware's tool or the EEPROM of a \
                 device has it";
     report.push(Section::Eeprom.at("config-data"), diagnostic.help(help));

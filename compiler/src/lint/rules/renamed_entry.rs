@@ -49,11 +49,30 @@ pub(super) fn check(device: &Device, report: &mut Report) {
     }
 }
 
-/// Whether one name is the other, or part of it.
+/// Whether one name is the other, however it is spaced, or its words are among those of the other.
 fn akin(one: &str, other: &str) -> bool {
-    let plain = |name: &str| -> String {
-        name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
-    };
-    let (one, other) = (plain(one), plain(other));
-    one.contains(&other) || other.contains(&one)
+    let (one, other) = (words(one), words(other));
+    let (few, many) = if one.len() <= other.len() { (&one, &other) } else { (&other, &one) };
+    one.concat() == other.concat() || many.windows(few.len().max(1)).any(|part| part == few.as_slice())
+}
+
+/// The words of a name in lower case.
+fn words(name: &str) -> Vec<String> {
+    let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_lowercase).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::akin;
+
+    #[test]
+    fn names_are_compared_by_words() {
+        assert!(akin("Target position", "target-position"));
+        assert!(akin("TargetPosition", "Target position"));
+        assert!(akin("Speed (actual)", "Speed"));
+        assert!(!akin("Input", "Inputs of the drive"), "a part of a word is another word");
+        assert!(!akin("Actual torque value", "Actual value"), "what stands between matters");
+        assert!(!akin("Torque", "Speed"));
+    }
 }

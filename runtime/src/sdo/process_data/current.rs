@@ -68,7 +68,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 
     /// The present value of an entry that is a number of at most 32 bits.
     pub(super) fn number(&mut self, address: Address) -> Result<u32, AbortCode> {
-        Ok(number(self.value(found::<V>(address)?, &mut Scratch::default())?))
+        Ok(number(self.value(found(&self.values, address)?, &mut Scratch::default())?))
     }
 
     /// The next entry; none behind the last, or where the dictionary does not have what it should.

@@ -19,7 +19,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         self.check_len::<Rx>(image.len())?;
         let mut place = Place::first::<Rx>();
         while let Some(mapped) = self.next_mapped(&mut place) {
-            let Some(found) = in_dictionary::<V>(mapped) else { continue };
+            let Some(found) = in_dictionary(&self.values, mapped) else { continue };
             let mut value = [0; LONGEST];
             let length = usize::from(found.entry.bytes());
             let Some(value) = value.get_mut(..length) else { continue };
@@ -42,7 +42,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         let mut place = Place::first::<Tx>();
         while let Some(mapped) = self.next_mapped(&mut place) {
             let width = mapped.mapping.bits.into();
-            let Some(found) = in_dictionary::<V>(mapped) else {
+            let Some(found) = in_dictionary(&self.values, mapped) else {
                 if mapped.mapping.is_gap() {
                     bits::store(image, mapped.offset, width, &[]);
                 }
@@ -63,6 +63,6 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
     }
 }
 
-fn in_dictionary<V: Values>(mapped: Mapped) -> Option<Found> {
-    found::<V>(mapped.mapping.address).ok().filter(|_| !mapped.mapping.is_gap())
+fn in_dictionary(values: &impl Values, mapped: Mapped) -> Option<Found> {
+    found(values, mapped.mapping.address).ok().filter(|_| !mapped.mapping.is_gap())
 }

@@ -19,26 +19,30 @@ struct Proposed<'a> {
 }
 
 /// Whether the server judges a number of entries here, and not by the table alone.
-pub(crate) const fn counts_process_data<V: Values>(address: Address) -> bool {
-    V::PROCESS_DATA.is_some() && address.subindex == 0 && Role::of(address.index).is_some()
+pub(crate) fn counts_process_data(values: &impl Values, address: Address) -> bool {
+    values.process_data().is_some() && address.subindex == 0 && Role::of(address.index).is_some()
 }
 
 impl<V: Values, H: Hooks<V>> Server<V, H> {
     /// Judges the write of an entry that the table allows.
     pub(crate) fn judge(&mut self, to: Address, data: &[u8]) -> Result<(), AbortCode> {
-        let (Some(rules), Some(role)) = (V::PROCESS_DATA, Role::of(to.index)) else { return Ok(()) };
+        let (Some(rules), Some(role)) = (self.values.process_data(), Role::of(to.index)) else {
+            return Ok(());
+        };
         if let (0, Some(count)) = (to.subindex, data.first()) {
             return self.judge_count(rules, Proposed { role, index: to.index, whole: None }, *count);
         }
         if self.number(Address::new(to.index, 0))? != 0 {
             return Err(AbortCode::SUBINDEX_0_NOT_CLEARED);
         }
-        role.judge::<V>(number(data))
+        role.judge(&self.values, number(data))
     }
 
     /// Judges the write of a whole object that has data of the right length.
     pub(crate) fn judge_whole(&mut self, from: Address, data: &[u8]) -> Result<(), AbortCode> {
-        let (Some(rules), Some(role)) = (V::PROCESS_DATA, Role::of(from.index)) else { return Ok(()) };
+        let (Some(rules), Some(role)) = (self.values.process_data(), Role::of(from.index)) else {
+            return Ok(());
+        };
         if from.subindex > 0 {
             return match self.number(Address::new(from.index, 0))? {
                 0 => Ok(()),
@@ -48,13 +52,14 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
         let proposed = Proposed { role, index: from.index, whole: Some(data) };
         let count = data.first().copied().unwrap_or(0);
         for subindex in 1..=count {
-            role.judge::<V>(self.proposed(proposed, subindex)?)?;
+            let value = self.proposed(proposed, subindex)?;
+            role.judge(&self.values, value)?;
         }
         self.judge_count(rules, proposed, count)
     }
 
     fn judge_count(&mut self, rules: &PdoRules, proposed: Proposed<'_>, count: u8) -> Result<(), AbortCode> {
-        let object = V::TABLE.object(proposed.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
+        let object = self.values.table().object(proposed.index).ok_or(AbortCode::NO_SUCH_OBJECT)?;
         if count > object.highest_subindex() {
             return Err(AbortCode::PDO_TOO_LONG);
         }
@@ -129,7 +134,7 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
     fn proposed(&mut self, proposed: Proposed<'_>, subindex: u8) -> Result<u32, AbortCode> {
         let address = Address::new(proposed.index, subindex);
         let Some(whole) = proposed.whole else { return self.number(address) };
-        let length = usize::from(found::<V>(address)?.entry.bytes());
+        let length = usize::from(found(&self.values, address)?.entry.bytes());
         let from = usize::from(subindex).saturating_sub(1).saturating_mul(length).saturating_add(2);
         let data = whole.get(from..).and_then(|rest| rest.get(..length));
         data.map(number).ok_or(AbortCode::LENGTH_TOO_LOW)
@@ -138,13 +143,13 @@ impl<V: Values, H: Hooks<V>> Server<V, H> {
 
 impl Role {
     /// Judges a value of an entry for itself; 0 empties it.
-    fn judge<V: Values>(self, value: u32) -> Result<(), AbortCode> {
+    fn judge(self, values: &impl Values, value: u32) -> Result<(), AbortCode> {
         match self {
             _ if value == 0 => Ok(()),
-            Self::Mapping(way) => may_map::<V>(Mapping::from_word(value), way),
+            Self::Mapping(way) => may_map(values, Mapping::from_word(value), way),
             Self::Assignment(way) => {
                 let pdo = u16::try_from(value).ok().filter(|pdo| Self::of(*pdo) == Some(Self::Mapping(way)));
-                match pdo.and_then(|pdo| V::TABLE.object(pdo)) {
+                match pdo.and_then(|pdo| values.table().object(pdo)) {
                     Some(_) => Ok(()),
                     None => Err(AbortCode::VALUE_OUT_OF_RANGE),
                 }
@@ -154,11 +159,11 @@ impl Role {
 }
 
 /// A gap may be of any width; an object has to be there, to be for this way, and to be mapped with its own width.
-fn may_map<V: Values>(mapping: Mapping, way: Way) -> Result<(), AbortCode> {
+fn may_map(values: &impl Values, mapping: Mapping, way: Way) -> Result<(), AbortCode> {
     if mapping.is_gap() {
         return Ok(());
     }
-    let entry = found::<V>(mapping.address).map_err(|_| AbortCode::NOT_MAPPABLE)?.entry;
+    let entry = found(values, mapping.address).map_err(|_| AbortCode::NOT_MAPPABLE)?.entry;
     match entry.access.includes(way.right()) && entry.bits == u16::from(mapping.bits) {
         true => Ok(()),
         false => Err(AbortCode::NOT_MAPPABLE),

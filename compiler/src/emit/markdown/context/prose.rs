@@ -8,7 +8,8 @@ impl Context<'_> {
     /// Text on one line.
     pub(in crate::emit::markdown) fn prose(&self, plain: &str) -> String {
         let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
-        if !plain.matches('`').count().is_multiple_of(2) {
+        // two in a row open and close nothing, and would stand for other things in Markdown
+        if !plain.matches('`').count().is_multiple_of(2) || plain.contains("``") {
             return self.words(&plain);
         }
         let parts = plain.split('`').enumerate();

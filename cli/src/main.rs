@@ -1,0 +1,124 @@
+//! The command line of devc: one file a subcommand.
+//!
+//! It alone writes files, prints and looks at the clock; all else it asks of the libraries.
+
+mod baseline;
+mod build;
+mod check;
+mod diff;
+mod draft;
+mod existing;
+mod explain;
+mod fix;
+mod git;
+mod import;
+mod levels;
+mod limit;
+mod names;
+mod new;
+mod outcome;
+mod paths;
+mod report;
+mod rules;
+#[cfg(unix)]
+mod run;
+mod schema;
+mod sums;
+mod timings;
+mod workers;
+mod workplace;
+mod write;
+
+use std::process::ExitCode;
+
+use clap::{ColorChoice, Parser, Subcommand};
+
+use report::Report;
+
+/// Compiles descriptions of EtherCAT drives into ESI XML, Markdown, JSON and Rust.
+///
+/// A description is a folder with a `device.toml`, which may include other TOML files of the folder.
+#[derive(Debug, Parser)]
+#[command(version, max_term_width = 100, after_help = EXAMPLES, after_long_help = LONG_EXAMPLES)]
+struct Arguments {
+    /// When to use colours.
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    color: ColorChoice,
+
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Build(build::Build),
+    Check(check::Check),
+    Diff(diff::Diff),
+    Explain(explain::Explain),
+    Import(import::Import),
+    New(new::New),
+    Rules(rules::Rules),
+    #[cfg(unix)]
+    Run(run::Run),
+    Schema(schema::Schema),
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  devc new devices/mydrive        begin a description
+  devc build                      make the outputs of every description under devices/
+  devc build devices/c887         make those of one
+  devc check devices/c887         only say what is wrong with it
+  devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
+  devc explain unknown-key        what a message means, with an example
+  devc explain 0x6064             what the profiles say of an index, a code or a name
+  devc import drive.xml           make a description of an ESI file
+  devc run devices/c887 --interface eth1
+                                  be the drive, for a master at a network interface";
+
+const LONG_EXAMPLES: &str = "\
+Examples:
+  devc new devices/mydrive --axes 2 --mode csp,hm
+                                  begin a description
+  devc build                      make the outputs of every description under devices/
+  devc build devices/c887         make those of one
+  devc build --emit xml,md        make only the ESI and the Markdown
+  devc build --check              say whether generated/ is up to date, and write nothing
+  devc check devices/c887         only say what is wrong with it
+  devc check --format sarif       say it for a machine
+  devc check --baseline known.json --update-baseline
+                                  start from what is known today, then leave out the second option
+  devc diff old new --gate        whether the revision number announces what has changed
+  devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
+  devc explain unknown-key        what a message means, with an example
+  devc explain 0x6064             what the profiles say of an index, a code or a name
+  devc import drive.xml           make a description of an ESI file
+  devc import io.xml --device EL1008 --out devices/el1008
+                                  of one device of several, into a folder
+  devc run devices/c887 --interface eth1
+                                  be the drive, for a master at a network interface
+  devc run devices/c887 -i eth1 --fault X=0x7305@5s --trace c887.pcapng
+                                  with a fault after five seconds, and all frames in a file
+
+Exit codes:
+  0  all is well; there may be warnings
+  1  findings: errors in a description, or outputs that are not up to date
+  2  devc could not run: bad arguments, no such description, an output that cannot be written";
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let report = Report::new(arguments.color);
+    let outcome = match &arguments.command {
+        Command::Build(build) => build.run(&report),
+        Command::Check(check) => check.run(&report),
+        Command::Diff(diff) => diff.run(&report),
+        Command::Explain(explain) => explain.run(&report),
+        Command::Import(import) => import.run(&report),
+        Command::New(new) => new.run(&report),
+        Command::Rules(rules) => rules.run(&report),
+        #[cfg(unix)]
+        Command::Run(run) => run.run(&report),
+        Command::Schema(schema) => schema.run(&report),
+    };
+    report.end(outcome.unwrap_or_else(|failure| report.failure(&failure))).into()
+}

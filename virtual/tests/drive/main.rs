@@ -1,0 +1,10 @@
+//! Every drive that is described, from Init to axes that move.
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
+mod bench;
+mod communication;
+mod faults;
+mod homing;
+mod modes;
+#[path = "../shared/mod.rs"]
+mod shared;

@@ -1,0 +1,9 @@
+//! The drives of all descriptions on a wire, with `ethercrab` as the master that knows nothing of them.
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
+mod bus;
+mod dictionary;
+mod motion;
+mod session;
+#[path = "../shared/mod.rs"]
+mod shared;

@@ -1,0 +1,16 @@
+//! A subdevice as masters see it: frames in, frames out.
+#![allow(clippy::expect_used, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // tests may
+
+mod clocks;
+mod devices;
+mod eeprom;
+mod frames;
+mod hostile;
+mod image;
+mod in_ethercrab;
+mod managers;
+mod mapping;
+mod master;
+mod served;
+mod states;
+mod trace;
