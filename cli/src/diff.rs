@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use devc::Compilation;
-use devc::diff::{Class, Comparison, compare, gate, json, markdown, text};
+use devc::diagnostic::render;
+use devc::diff::{Class, Comparison, compare, findings, gate, json, markdown, rules, text};
 use devc::import::Choice;
 use devc::lint::Checked;
 use devc::model::Family;
@@ -73,6 +74,10 @@ enum Format {
     Json,
     /// For a changelog.
     Markdown,
+    /// For code scanning: SARIF 2.1.0.
+    Sarif,
+    /// For pull requests on GitHub.
+    Github,
 }
 
 /// A class of change.
@@ -104,7 +109,10 @@ impl Diff {
         let [old, new] = self.versions()?;
         let [before, after] = [family(&old, report)?, family(&new, report)?];
         let comparison = compare(before, after);
+        let findings = || findings(&comparison, &old.sources, &new.sources, self.least(&comparison));
         report.output(&match self.format {
+            Format::Sarif => render::sarif(&[(&findings(), &new.sources)], &rules()),
+            Format::Github => render::github(&findings(), &new.sources),
             Format::Text => text(&comparison, &old.sources, &new.sources, self.show.into()),
             Format::Markdown => markdown(&comparison),
             Format::Json => json(&comparison, &old.sources, &new.sources),
@@ -121,6 +129,17 @@ impl Diff {
         Ok([committed(old, &self.new)?, new])
     }
 
+    /// The least class of change that is an error; none if the gate lets all pass.
+    fn least(&self, comparison: &Comparison) -> Option<Class> {
+        match self.gate {
+            false => Some(self.deny.into()),
+            true => {
+                let is_stopped = gate(comparison).iter().any(|gate| gate.complaint().is_some());
+                is_stopped.then_some(Class::ConfigurationBreaking)
+            }
+        }
+    }
+
     fn denied(&self, comparison: &Comparison) -> Outcome {
         let is_denied = comparison.worst().is_some_and(|worst| worst >= self.deny.into());
         if is_denied { Outcome::Findings } else { Outcome::Clean }
@@ -132,7 +151,7 @@ fn read(path: &Path) -> Result<Compilation, Failure> {
     if path.extension().is_none_or(|extension| extension != "xml") {
         return Ok(cut(devc::compile(&Disk, path)));
     }
-    let imported = imported(path, &Choice::default())?;
+    let imported = imported(path, Some("the ESI file"), &Choice::default())?;
     let with = |files: Memory, (name, text): (&String, &String)| files.with(path.join(name), text.as_str());
     Ok(cut(devc::compile(&imported.files.iter().fold(Memory::new(), with), path)))
 }

@@ -55,7 +55,7 @@ fn revision(text: &str) -> Result<u32, String> {
 impl Import {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let choice = Choice { device: self.device.clone(), revision: self.revision };
-        let imported = imported(&self.file, &choice)?;
+        let imported = imported(&self.file, None, &choice)?;
         let out = self.out.clone().unwrap_or_else(|| Path::new("devices").join(&imported.id));
         let file = self.file.display().to_string();
         let losses = self.report.as_ref().map(|path| (path, imported.report.json(&file)));
@@ -96,12 +96,13 @@ impl Import {
     }
 }
 
-/// The description of a device of an ESI file.
-pub(super) fn imported(file: &Path, choice: &Choice) -> Result<Imported, Failure> {
+/// The description of a device of an ESI file, which says that its facts are from the file, or from what it is `called`:
+/// two versions of one file have the same source.
+pub(super) fn imported(file: &Path, called: Option<&str>, choice: &Choice) -> Result<Imported, Failure> {
     let limit = u64::try_from(MAX_SIZE).unwrap_or(u64::MAX).saturating_add(1);
     let bytes = plain::read(file, limit).map_err(|error| Failure::at("read", file, &error))?;
     let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    import(&bytes, &name, choice).map_err(|refusal| refused(file, &refusal))
+    import(&bytes, called.unwrap_or(&name), choice).map_err(|refusal| refused(file, &refusal))
 }
 
 fn refused(file: &Path, refusal: &Refusal) -> Failure {

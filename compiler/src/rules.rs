@@ -86,5 +86,6 @@ fn title(group: Group) -> &'static str {
         Group::Values => "Values",
         Group::Output => "Outputs",
         Group::Facts => "Facts and their sources",
+        Group::Changes => "Changes",
     }
 }

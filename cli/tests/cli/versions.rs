@@ -134,6 +134,60 @@ fn a_comparison_can_be_read_by_programs() {
     );
 }
 
+/// Changes are shown as the findings of a check are: beside the lines of the new version, at its device if something is
+/// gone; what breaks nothing is a remark.
+#[test]
+fn changes_are_shown_where_findings_are() {
+    let more = format!("{SOUND}\n[objects.0x2001]\nname = \"Torque\"\ntype = \"INT16\"\n");
+    let changed = SOUND.replace("UINT16", "INT16").replace("\"Speed\"", "\"Velocity\"");
+    let desk = Desk::new(&[("old", &more), ("new", &changed)]);
+    let run = desk.devc(&["diff", "devices/old", "devices/new", "--format", "github"]);
+    assert_eq!(run.code, Some(1), "{}", run.err);
+    let place = "file=devices/new/device.toml,line=13,endLine=13";
+    assert!(run.out.contains(&format!("::error {place}")), "{}", run.out);
+    assert!(run.out.contains("title=changed-type::0x2000:00 Velocity: a value"), "{}", run.out);
+    assert!(run.out.contains("::notice file=devices/new/device.toml,line=12"), "{}", run.out);
+    assert!(run.out.contains("title=removed-object::0x2001: an object is gone: Torque"), "{}", run.out);
+    assert!(run.out.contains("it was at devices/old/device.toml:16:10"), "{}", run.out);
+    let run =
+        desk.devc(&["diff", "devices/old", "devices/new", "--format", "sarif", "--deny", "wire-breaking"]);
+    let log: serde_json::Value = serde_json::from_str(&run.out).expect("JSON");
+    let results = log["runs"][0]["results"].as_array().expect("a list");
+    let of = |rule: &str| results.iter().find(|result| result["ruleId"] == rule).expect("a result");
+    assert_eq!((&of("changed-type")["level"], &of("renamed")["level"]), (&"error".into(), &"note".into()));
+    let rules = log["runs"][0]["tool"]["driver"]["rules"].as_array().expect("a list");
+    let known =
+        |result: &serde_json::Value| &rules[result["ruleIndex"].as_u64().expect("a number") as usize]["id"];
+    assert!(results.iter().all(|result| *known(result) == result["ruleId"]));
+    assert!(rules[0]["helpUri"].as_str().is_some_and(|uri| uri.contains("changes.md#")), "{}", rules[0]);
+}
+
+/// What the gate lets pass is no error.
+#[test]
+fn the_gate_says_what_is_an_error() {
+    let changed = SOUND.replace("UINT16", "INT16");
+    let raised = changed.replace("revision     = 1", "revision     = 2");
+    let desk = Desk::new(&[("old", SOUND), ("new", &changed), ("raised", &raised)]);
+    let run = desk.devc(&["diff", "devices/old", "devices/new", "--gate", "--format", "github"]);
+    assert!(run.code == Some(1) && run.out.contains("::error"), "{}", run.out);
+    let run = desk.devc(&["diff", "devices/old", "devices/raised", "--gate", "--format", "github"]);
+    assert!(
+        run.code == Some(0) && run.out.contains("::warning") && !run.out.contains("::error"),
+        "{}",
+        run.out
+    );
+}
+
+/// Two ESI files are compared by what they say, not by what they are called.
+#[test]
+fn the_name_of_an_esi_file_is_no_change() {
+    let desk = Desk::new(&[("old", SOUND)]);
+    desk.devc(&["build", "devices/old", "-o", "out"]).ends(0, &[]);
+    desk.put("out/new.xml", desk.read("out/old/old.xml"));
+    let run = desk.devc(&["diff", "out/old/old.xml", "out/new.xml"]);
+    assert_eq!((run.code, &*run.out), (Some(0), "nothing changes\n"), "{}", run.err);
+}
+
 #[test]
 fn the_schema_is_printed() {
     let run = Desk::sound().devc(&["schema"]);

@@ -48,10 +48,12 @@ pub enum Group {
     Output,
     /// Sources, assumptions, errata.
     Facts,
+    /// What differs from one version to the next: no rules of a check, so that no setting knows them.
+    Changes,
 }
 
 impl Group {
-    /// All groups, in the order in which they are listed.
+    /// All groups of rules that a check has, in the order in which they are listed.
     pub const ALL: [Self; 7] = [
         Self::Format,
         Self::Dictionary,
@@ -72,6 +74,7 @@ impl Group {
             Self::Values => "values",
             Self::Output => "output",
             Self::Facts => "facts",
+            Self::Changes => "changes",
         }
     }
 

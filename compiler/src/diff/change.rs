@@ -1,5 +1,6 @@
 //! One change, and what kind it is.
 
+use crate::diagnostic::{Level, Rule};
 use crate::model::{Difference, Place};
 use crate::source::Location;
 
@@ -18,19 +19,15 @@ pub enum Class {
     WireBreaking,
 }
 
-/// A kind of change, with all there is to say about it in general.
+/// A kind of change.
 ///
 /// Made with `kinds!`, which takes the documentation from the doc comment.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Kind {
-    /// The change in kebab case.
-    pub name: &'static str,
+    /// What messages about such changes name: the change in kebab case, and all there is to say about it in general.
+    pub rule: Rule,
     /// Whom it breaks.
     pub class: Class,
-    /// One line.
-    pub summary: &'static str,
-    /// Why it is of this class, and where a master notices it.
-    pub docs: &'static str,
 }
 
 /// A change from one version of a device to the next.
@@ -59,7 +56,7 @@ pub struct Change {
 impl Kind {
     /// The documentation, without the space that a doc comment puts before each line.
     pub fn text(&self) -> String {
-        let lines: Vec<&str> = self.docs.lines().map(str::trim).collect();
+        let lines: Vec<&str> = self.rule.docs.lines().map(str::trim).collect();
         lines.join("\n").trim().to_owned()
     }
 }
@@ -99,6 +96,14 @@ impl Class {
             Self::ConfigurationBreaking => "configuration-breaking",
             Self::Compatible => "compatible",
             Self::Documentation => "documentation",
+        }
+    }
+
+    /// How bad it is if nobody says what is denied: what breaks nothing is a remark.
+    pub const fn level(self) -> Level {
+        match self {
+            Self::WireBreaking | Self::ConfigurationBreaking => Level::Warning,
+            Self::Compatible | Self::Documentation => Level::Allow,
         }
     }
 

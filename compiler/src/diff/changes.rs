@@ -124,7 +124,7 @@ fn versions(versions: Versions<'_>) -> Vec<Change> {
 type Key = (&'static str, Place, Option<String>, Option<String>);
 
 fn key(change: &Change) -> Key {
-    (change.kind.name, change.at.clone(), change.old.clone(), change.new.clone())
+    (change.kind.rule.name, change.at.clone(), change.old.clone(), change.new.clone())
 }
 
 /// The change that a difference is; none if it follows from another one.
@@ -146,5 +146,5 @@ fn change(versions: Versions<'_>, path: &[&str], difference: &Difference) -> Opt
 /// The worst first, then by place.
 fn order(one: &Change, other: &Change) -> Ordering {
     let worse = other.kind.class.cmp(&one.kind.class);
-    worse.then_with(|| one.at.cmp(&other.at)).then_with(|| one.kind.name.cmp(other.kind.name))
+    worse.then_with(|| one.at.cmp(&other.at)).then_with(|| one.kind.rule.name.cmp(other.kind.rule.name))
 }

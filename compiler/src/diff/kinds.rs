@@ -21,10 +21,15 @@ macro_rules! kinds {
         $(
             $(#[doc = $doc])+
             pub(in crate::diff) static $id: $crate::diff::Kind = $crate::diff::Kind {
-                name: $name,
+                rule: $crate::diagnostic::Rule {
+                    name: $name,
+                    group: $crate::diagnostic::Group::Changes,
+                    level: $crate::diff::Class::$class.level(),
+                    fixed: false,
+                    summary: $summary,
+                    docs: concat!($($doc, "\n"),+),
+                },
                 class: $crate::diff::Class::$class,
-                summary: $summary,
-                docs: concat!($($doc, "\n"),+),
             };
         )+
 
@@ -43,7 +48,8 @@ pub const ALL: [&[&Kind]; 4] = [wire::ALL, configuration::ALL, compatible::ALL, 
 /// If there is none: the name that looks most like it, if one does.
 pub fn find(name: &str) -> Result<&'static Kind, Option<&'static str>> {
     let kinds = || ALL.into_iter().flatten().copied();
-    kinds().find(|kind| kind.name == name).ok_or_else(|| near(name, kinds().map(|kind| kind.name)))
+    let names = || kinds().map(|kind| kind.rule.name);
+    kinds().find(|kind| kind.rule.name == name).ok_or_else(|| near(name, names()))
 }
 
 /// The reference of all kinds, in Markdown.
@@ -58,10 +64,10 @@ pub fn reference() -> String {
             capital(class.about())
         );
         kinds().for_each(|kind| {
-            let _ = writeln!(out, "| [`{0}`](#{0}) | {1} |", kind.name, kind.summary);
+            let _ = writeln!(out, "| [`{0}`](#{0}) | {1} |", kind.rule.name, kind.rule.summary);
         });
         kinds().for_each(|kind| {
-            let _ = write!(out, "\n### {}\n\n{}\n", kind.name, kind.text());
+            let _ = write!(out, "\n### {}\n\n{}\n", kind.rule.name, kind.text());
         });
     }
     out

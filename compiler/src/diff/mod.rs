@@ -15,4 +15,4 @@ pub use change::{Change, Class, Kind};
 pub use changes::{Comparison, Versioned, compare};
 pub use gate::{Gate, gate};
 pub use kinds::{ALL, find, reference};
-pub use render::{json, markdown, text};
+pub use render::{findings, json, markdown, rules, text};

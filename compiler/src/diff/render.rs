@@ -1,9 +1,12 @@
-//! A comparison as text for a terminal, as Markdown for a changelog, and as JSON for tools.
+//! A comparison as text for a terminal, as Markdown for a changelog, as JSON for tools, and as messages for what shows
+//! messages.
 
+mod findings;
 mod json;
 mod markdown;
 mod text;
 
+pub use findings::{findings, rules};
 pub use json::json;
 pub use markdown::markdown;
 pub use text::text;

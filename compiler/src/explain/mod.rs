@@ -89,7 +89,7 @@ fn of_rule(rule: &Rule) -> String {
 
 /// A kind of change with all that its author says of it.
 fn of_kind(kind: &Kind) -> String {
-    format!("{}: {} ({})\n\n{}", kind.name, kind.summary, kind.class.name(), kind.text())
+    format!("{}: {} ({})\n\n{}", kind.rule.name, kind.rule.summary, kind.class.name(), kind.text())
 }
 
 #[cfg(test)]

@@ -55,7 +55,7 @@ model! {
         pub offset: u32,
         /// The width in bits.
         pub bits: u32,
-        /// The type; none for padding, and for what is not in the dictionary.
+        /// The type; none for padding, and for what is not in the dictionary and is not said to have one.
         pub data_type: Option<DataType>,
         /// Where it was written.
         #[cfg_attr(feature = "json", serde(skip))]

@@ -31,8 +31,8 @@ raw! {
         pub total: Option<u16>,
         /// The largest number of bytes it can be mapped to, for a free mapping.
         pub max_bytes: Option<u16>,
-        /// The largest number of entries it can be mapped to, for a free mapping: the subindices of its mapping object.
-        /// If absent, everything that can be mapped once, as far as `max-bytes` go.
+        /// The largest number of entries it can be mapped to: the subindices of its mapping object. If absent, those that
+        /// it has, or with a free mapping everything that can be mapped once, as far as `max-bytes` go.
         pub max_entries: Option<u8>,
         /// The sync unit it belongs to: PDOs of different ones are exchanged apart from each other.
         pub sync_unit: Option<String>,
@@ -48,8 +48,10 @@ raw! {
 pub struct RawMapped {
     /// The object or entry, or a range of entries such as `"0x2003:01..=08"`; none for padding.
     pub entry: Option<String>,
-    /// The width that the manual gives, needed for what is not in the dictionary and for padding.
+    /// The width that the manual gives, needed for padding and for what is not in the dictionary, unless it has a `type`.
     pub bits: Option<u16>,
+    /// The data type of what is not in the dictionary.
+    pub r#type: Option<String>,
     /// A name other than the entry's.
     pub name: Option<String>,
 }
@@ -59,14 +61,15 @@ pub struct RawMapped {
 struct MappedTable {
     entry: Option<String>,
     bits: Option<u16>,
+    r#type: Option<String>,
     name: Option<String>,
 }
 
 impl<'de> Deserialize<'de> for RawMapped {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let expecting = "the name or index of an entry, or a table with `entry`, `bits` and `name`";
-        let MappedTable { entry, bits, name } = shorthand(deserializer, "entry", expecting)?;
-        Ok(Self { entry, bits, name })
+        let expecting = "the name or index of an entry, or a table with `entry`, `bits`, `type` and `name`";
+        let MappedTable { entry, bits, r#type, name } = shorthand(deserializer, "entry", expecting)?;
+        Ok(Self { entry, bits, r#type, name })
     }
 }
 

@@ -5,14 +5,12 @@ use crate::model::{Direction, Entry, Object, Pdo};
 /// The last subindex of a mapping object, ETG.1000.6.
 const LAST: usize = 254;
 
-/// How many entries can be mapped to a PDO: as many as it has if its mapping is fixed. Else it is what is said; if nothing
-/// is, everything that can be mapped once, as far as its bytes and those of its sync manager go with the narrowest of that.
+/// How many entries the mapping object of a PDO has room for: what is said; if nothing is, as many as it has if its mapping
+/// is fixed, and else everything that can be mapped once, as far as its bytes and those of its sync manager go with the narrowest of that.
 pub(super) fn entries(pdo: &Pdo, objects: &[Object], carried: Option<u16>) -> usize {
     let used = pdo.entries.len();
-    if pdo.fixed {
-        return used;
-    }
-    let takes = pdo.max_entries.map_or_else(|| fitting(pdo, objects, carried), usize::from);
+    let usual = || if pdo.fixed { used } else { fitting(pdo, objects, carried) };
+    let takes = pdo.max_entries.map_or_else(usual, usize::from);
     takes.min(LAST).max(used)
 }
 

@@ -7,6 +7,7 @@ use crate::model::{
     Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Mapped, Object, Pdo, Role,
     SyncManager, Value, WriteWindow,
 };
+use crate::raw::RawObject;
 use crate::source::Origin;
 
 /// What the derived objects follow from.
@@ -33,10 +34,19 @@ pub(super) fn dictionary(
     objects.sort_by_key(|object| object.index);
     for overlay in overlays {
         let index = overlay.index;
-        let place = objects.binary_search_by_key(&index, |object| object.index).unwrap_or_else(|place| {
-            objects.insert(place, empty_assignment(index, overlay.origin.clone()));
-            place
-        });
+        let place = match objects.binary_search_by_key(&index, |object| object.index) {
+            Ok(place) => place,
+            // One that nothing leads to, and that is described as a whole, is an object as any other.
+            Err(place) if is_whole(&overlay) => {
+                let object = super::objects::object(context, &overlay, index, None);
+                object.into_iter().for_each(|object| objects.insert(place, object));
+                continue;
+            }
+            Err(place) => {
+                objects.insert(place, empty_assignment(index, overlay.origin.clone()));
+                place
+            }
+        };
         if let Some(object) = objects.get_mut(place) {
             overlay::apply(context, object, overlay);
         }
@@ -162,6 +172,11 @@ fn assignment(manager: &SyncManager, basis: &Basis<'_>) -> Option<Object> {
     let mut object = object(index, id, name, entries, &manager.origin);
     object.source = manager.source.clone();
     Some(object)
+}
+
+/// Whether a table says what its object is made of; one of an assignment object need not.
+fn is_whole(raw: &RawObject) -> bool {
+    raw.index < Index(0x1C10) || raw.entries.iter().any(|entries| entries.range != (0, 0))
 }
 
 /// The assignment object of a sync manager that carries no PDOs, which exists only if a description says so.

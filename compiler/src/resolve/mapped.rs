@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 
 use super::context::Context;
+use super::entries::unknown_type;
 use super::{names, numbered, objects};
 use crate::diagnostic::faults;
 use crate::model::ids::{self, Siblings};
-use crate::model::{Address, Entry, Mapped, Object};
+use crate::model::{Address, DataType, Entry, Mapped, Object};
 use crate::raw::RawMapped;
 use crate::source::{Location, Origin, keys};
 
@@ -69,7 +70,10 @@ fn one(
         data_type: None,
         at,
     };
-    let Some(text) = &raw.entry else { return Some(padding) };
+    let Some(text) = &raw.entry else {
+        typeless(context, raw, "padding has no type", at);
+        return Some(padding);
+    };
     let address = context.names.find(text).ok().map(|address| context.on_axis(address, axis));
     let entry = address.and_then(|address| find(objects, address));
     if let Some((object, _)) = entry.filter(|(object, _)| object.entries.len() > 1)
@@ -80,23 +84,13 @@ fn one(
         }
         return None;
     }
-    match (entry, absent(context, text, axis), raw.bits) {
-        (Some((object, entry)), ..) => {
-            let single = object.entries.len() == 1;
-            let name = if single { &object.name } else { &entry.name };
-            let id = if single { object.id.clone() } else { format!("{}-{}", object.id, entry.id) };
-            Some(Mapped {
-                address,
-                name: raw.name.clone().unwrap_or_else(|| name.clone()),
-                id,
-                bits: raw.bits.map_or(entry.data_type.bits(), u32::from),
-                data_type: Some(entry.data_type),
-                ..padding
-            })
-        }
-        (None, Some(address), Some(_)) => {
+    let data_type = stated(context, raw, entry.is_some(), at);
+    let bits = raw.bits.map(u32::from).or(data_type.map(DataType::bits));
+    match (entry, absent(context, text, axis), bits) {
+        (Some(known), ..) => Some(Mapped { address, ..of_entry(raw, known, padding) }),
+        (None, Some(address), Some(bits)) => {
             let name = raw.name.clone().unwrap_or_else(|| address.to_string());
-            Some(Mapped { address: Some(address), id: ids::id(&name), name, ..padding })
+            Some(Mapped { address: Some(address), id: ids::id(&name), name, bits, data_type, ..padding })
         }
         _ => {
             // Once is enough: what is not there on the first axis is not there on the others.
@@ -108,6 +102,42 @@ fn one(
             }
             None
         }
+    }
+}
+
+/// An entry of the dictionary as it is mapped; `bare` is what is known without it.
+fn of_entry(raw: &RawMapped, (object, entry): (&Object, &Entry), bare: Mapped) -> Mapped {
+    let single = object.entries.len() == 1;
+    let name = if single { &object.name } else { &entry.name };
+    Mapped {
+        name: raw.name.clone().unwrap_or_else(|| name.clone()),
+        id: if single { object.id.clone() } else { format!("{}-{}", object.id, entry.id) },
+        bits: raw.bits.map_or(entry.data_type.bits(), u32::from),
+        data_type: Some(entry.data_type),
+        ..bare
+    }
+}
+
+/// The type that is said of what is mapped. What is in the dictionary has one there.
+fn stated(context: &mut Context<'_>, raw: &RawMapped, is_known: bool, at: Location) -> Option<DataType> {
+    let text = raw.r#type.as_deref()?;
+    if is_known {
+        typeless(context, raw, "what is in the dictionary has its type there", at);
+        return None;
+    }
+    match text.parse() {
+        Ok(data_type) if DataType::bits(data_type) > 0 => Some(data_type),
+        _ => {
+            context.diagnostics.push(unknown_type(text, at));
+            None
+        }
+    }
+}
+
+/// Reports a type of what cannot be said to have one.
+fn typeless(context: &mut Context<'_>, raw: &RawMapped, why: &str, at: Location) {
+    if raw.r#type.is_some() {
+        context.fault(&faults::UNFIT_VALUE, why.to_owned(), at, "leave the `type` out");
     }
 }
 
@@ -134,7 +164,7 @@ fn span<'r>(
         range.map(move |subindex| {
             let entry = Some(format!("{object}:{subindex:02X}"));
             let name = raw.name.as_ref().map(|name| numbered::name(name, subindex));
-            Cow::Owned(RawMapped { entry, name, bits: raw.bits })
+            Cow::Owned(RawMapped { entry, name, bits: raw.bits, r#type: raw.r#type.clone() })
         })
     });
     let alone = each.is_none().then_some(Cow::Borrowed(raw));

@@ -84,7 +84,13 @@ fn report_duplicates(context: &mut Context<'_>, objects: &[Object]) {
     }
 }
 
-fn object(context: &mut Context<'_>, raw: &RawObject, index: Index, axis: Option<u8>) -> Option<Object> {
+/// An object on an axis.
+pub(super) fn object(
+    context: &mut Context<'_>,
+    raw: &RawObject,
+    index: Index,
+    axis: Option<u8>,
+) -> Option<Object> {
     let RawObject { key, index: _, head, value, entries, shared: _, per_axis: _, source, origin } = raw;
     let RawObjectHead { id: _, kind, entries: _, per_axis: _ } = head;
     let id = names::object_id(raw);

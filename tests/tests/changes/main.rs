@@ -2,6 +2,9 @@
 //! them, both ways.
 
 #![cfg(test)]
+#![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
+
+mod revisions;
 
 use std::path::Path;
 
@@ -56,7 +59,7 @@ fn edited(edit: &Table) -> Table {
 /// The changes as `changes.toml` writes them.
 fn changes(old: &Family, new: &Family) -> Vec<String> {
     let shown = |change: &devc::diff::Change| {
-        format!("{} {} {}", change.kind.class.name(), change.kind.name, change.at)
+        format!("{} {} {}", change.kind.class.name(), change.kind.rule.name, change.at)
     };
     compare(old, new).changes.iter().map(shown).collect()
 }
@@ -101,4 +104,22 @@ fn the_gate_asks_for_a_higher_revision() {
     assert!(passes(&with("UINT32", 3, 3)));
     assert!(!passes(&with("UINT16", 1, 3)));
     assert!(passes(&with("UINT32", 1, 4)));
+}
+
+/// What is not in the dictionary has its type in the PDO; another one of the same width is what nobody notices.
+#[test]
+fn the_type_of_what_is_only_mapped_is_compared() {
+    let with = |width: &str| {
+        let mut table = base();
+        let entries: Value = toml::from_str::<Table>(&format!("it = [{{ entry = \"0x3F00:01\", {width} }}]"))
+            .expect("TOML")["it"]
+            .clone();
+        let pdo = table["tx-pdos"]["0x1A00"].as_table_mut().expect("a table");
+        pdo.insert("entries".to_owned(), entries);
+        family(&table)
+    };
+    let [bits, unsigned, signed] = ["bits = 16", "type = \"UINT16\"", "type = \"INT16\""].map(with);
+    assert_eq!(changes(&unsigned, &signed), ["wire-breaking changed-type 0x1A00"]);
+    assert_eq!(changes(&bits, &signed), ["documentation respelt-type 0x1A00"]);
+    assert_eq!(changes(&signed, &signed), Vec::<String>::new());
 }

@@ -45,7 +45,14 @@ pub(crate) fn of(device: Node<'_, '_>) -> Facts {
     if let Some(profile) = find(device, "Profile") {
         facts.number("profile", text_in(profile, "ProfileNo"), &whole);
     }
+    for hidden in all(device, "HideType") {
+        let revision = hidden.attribute("RevisionNo").and_then(number);
+        let key = format!("replaces/{}", revision.unwrap_or_default());
+        facts.text(&key, revision.map(|_| String::new()), &[lines(hidden)]);
+    }
+    timeouts(device, &mut facts);
     sync_managers(device, &mut facts);
+    sync_units(device, &mut facts);
     for (tag, way) in [("RxPdo", "rx"), ("TxPdo", "tx")] {
         all(device, tag).for_each(|node| pdo(node, way, &mut facts));
     }
@@ -81,6 +88,34 @@ impl Collector {
     }
 }
 
+/// How long a master waits, in milliseconds.
+fn timeouts(device: Node<'_, '_>, facts: &mut Collector) {
+    for part in ["StateMachine", "Mailbox"] {
+        let timeout = find(device, "Info").and_then(|it| find(it, part)).and_then(|it| find(it, "Timeout"));
+        for node in timeout.into_iter().flat_map(|it| it.children()).filter(Node::is_element) {
+            let key = format!("timeout/{}", node.tag_name().name());
+            facts.number(&key, Some(content(node)), &[lines(node)]);
+        }
+    }
+}
+
+/// Which PDOs are of one sync unit; its number says nothing else.
+fn sync_units(device: Node<'_, '_>, facts: &mut Collector) {
+    let mut first: BTreeMap<i64, String> = BTreeMap::new();
+    for tag in ["RxPdo", "TxPdo"] {
+        let mut pdos: Vec<(i64, i64, Node<'_, '_>)> = Vec::new();
+        for node in all(device, tag) {
+            let index = text_in(node, "Index").and_then(|it| number(&it)).unwrap_or(0);
+            pdos.extend(node.attribute("Su").and_then(number).map(|unit| (index, unit, node)));
+        }
+        pdos.sort_by_key(|(index, ..)| *index);
+        for (index, unit, node) in pdos {
+            let of = first.entry(unit).or_insert_with(|| format!("{tag} {index:04X}")).clone();
+            facts.text(&format!("pdo/{tag}/{index:04X}/unit"), Some(of), &[lines(node)]);
+        }
+    }
+}
+
 fn sync_managers(device: Node<'_, '_>, facts: &mut Collector) {
     for (place, node) in all(device, "Sm").enumerate() {
         let at = vec![lines(node)];
@@ -89,12 +124,14 @@ fn sync_managers(device: Node<'_, '_>, facts: &mut Collector) {
             Some(content(node).to_lowercase()).filter(|it| !it.is_empty()),
             &at,
         );
-        for attribute in ["StartAddress", "ControlByte", "MaxSize", "DefaultSize"] {
+        for attribute in ["StartAddress", "ControlByte", "MinSize", "MaxSize", "DefaultSize"] {
             let value = node.attribute(attribute).map(str::to_owned);
             facts.number(&format!("sm/{place}/{attribute}"), value, &at);
         }
         let enable = node.attribute("Enable").map(|it| (number(it).unwrap_or(1) & 1).to_string());
         facts.text(&format!("sm/{place}/Enable"), enable, &at);
+        let op_only = truth(node.attribute("OpOnly"));
+        facts.text(&format!("sm/{place}/OpOnly"), op_only.then(String::new), &at);
     }
 }
 
@@ -145,9 +182,19 @@ fn mailbox(device: Node<'_, '_>, facts: &mut Collector) {
                 facts.text(&format!("mailbox/CoE/{flag}"), Some(value), &at);
             }
         }
+        if tag == "EoE" {
+            for flag in ["IP", "MAC"] {
+                let value = protocol.attribute(flag).map(|it| truth(Some(it)).to_string());
+                facts.text(&format!("mailbox/EoE/{flag}"), value, &at);
+            }
+        }
         for command in all(protocol, "InitCmd") {
-            let index = text_in(command, "Index").and_then(|it| number(&it)).unwrap_or(0);
-            facts.text(&format!("mailbox/command/{index:04X}"), text_in(command, "Data"), &[lines(command)]);
+            let part = |tag| text_in(command, tag).and_then(|it| number(&it)).unwrap_or(0);
+            let (index, subindex) = (part("Index"), part("SubIndex"));
+            for transition in all(command, "Transition") {
+                let key = format!("mailbox/command/{index:04X}:{subindex:02X}/{}", content(transition));
+                facts.text(&key, text_in(command, "Data").map(|it| it.to_uppercase()), &[lines(command)]);
+            }
         }
     }
 }
@@ -164,8 +211,12 @@ fn clocks(device: Node<'_, '_>, facts: &mut Collector) {
             let factor = cycle.and_then(|it| it.attribute("Factor")).map(str::to_owned);
             facts.number(&format!("dc/{name}/{signal}/factor"), factor, &at);
             facts.number(&format!("dc/{name}/{signal}/cycle"), cycle.map(content), &at);
-            let shift = find(*mode, &format!("ShiftTime{signal}")).map(content);
-            facts.number(&format!("dc/{name}/{signal}/shift"), shift, &at);
+            let shift = find(*mode, &format!("ShiftTime{signal}"));
+            facts.number(&format!("dc/{name}/{signal}/shift"), shift.map(content), &at);
+            let factor = shift.and_then(|it| it.attribute("Factor")).and_then(number).filter(|it| *it != 0);
+            facts.text(&format!("dc/{name}/{signal}/shift factor"), factor.map(|it| it.to_string()), &at);
+            let of_inputs = truth(shift.and_then(|it| it.attribute("Input")));
+            facts.text(&format!("dc/{name}/{signal}/inputs"), of_inputs.then(String::new), &at);
         }
     }
 }

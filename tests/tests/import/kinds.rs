@@ -73,6 +73,17 @@ fn a_file_may_be_in_another_encoding() {
 }
 
 #[test]
+fn a_file_may_be_in_utf_16() {
+    let drive = file("").replace("Tee", "Überwachung");
+    let little: Vec<u8> = drive.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = drive.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let marked = [b"\xFE\xFF".to_vec(), big.clone()].concat();
+    for bytes in [little, big, marked] {
+        assert_eq!(description(bytes), description(&drive));
+    }
+}
+
+#[test]
 fn numbers_come_in_many_spellings() {
     let sm = |number: &str| {
         file(&format!("<Sm StartAddress=\"{number}\" DefaultSize=\"8\" ControlByte=\"38\">MBoxOut</Sm>"))
@@ -105,9 +116,9 @@ fn what_nobody_knows_is_a_loss_with_its_place() {
 #[test]
 fn what_the_language_cannot_say_is_left_out_and_told() {
     let xml = file(
-        "<Profile><Dictionary><DataTypes><DataType><Name>ARRAY [0..9] OF BYTE</Name><BitSize>80</BitSize></DataType>\
-         </DataTypes><Objects><Object><Index>#x2000</Index><Name>Bytes</Name><Type>ARRAY [0..9] OF BYTE</Type>\
-         <BitSize>80</BitSize></Object></Objects></Dictionary></Profile>",
+        "<Profile><Dictionary><DataTypes><DataType><Name>ARRAY [0..9] OF REAL</Name><BitSize>320</BitSize></DataType>\
+         </DataTypes><Objects><Object><Index>#x2000</Index><Name>Values</Name><Type>ARRAY [0..9] OF REAL</Type>\
+         <BitSize>320</BitSize></Object></Objects></Dictionary></Profile>",
     );
     assert!(!description(&xml).contains("0x2000"));
     assert_eq!(notes(&xml, NoteKind::Lost), ["0x2000 with a type of another kind"]);

@@ -10,5 +10,7 @@ mod corpus;
 mod facts;
 mod hostile;
 mod kinds;
+mod mutated;
 mod objects;
 mod round_trip;
+mod transport;

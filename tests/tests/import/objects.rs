@@ -99,7 +99,9 @@ fn value(
     let declared = types.get(kind).copied();
     let declared_bits = declared.and_then(|it| text_in(it, "BitSize"));
     let bits = own_bits.or(declared_bits).and_then(|it| number(&it)).filter(|bits| *bits > 0);
-    let base = declared.and_then(|it| text_in(it, "BaseType")).filter(|it| !it.is_empty());
+    // An array without a subindex for each element is one value.
+    let single = declared.filter(|it| find(*it, "ArrayInfo").is_none());
+    let base = single.and_then(|it| text_in(it, "BaseType")).filter(|it| !it.is_empty());
     let count = key.ends_with(":00") && !key.contains("/6");
     facts.text(&format!("{key}/bits"), bits.map(|bits| bits.to_string()), at);
     let kind = canonical(base.as_deref().unwrap_or(kind), bits);
@@ -115,6 +117,10 @@ fn value(
     let restriction =
         flags.and_then(|it| find(it, "Access")).and_then(|it| it.attribute("WriteRestrictions"));
     facts.text(&format!("{key}/written"), restriction.map(str::to_lowercase), at);
+    for kept in ["Backup", "Setting"] {
+        let is_so = matches!(flag(kept).as_deref(), Some("1" | "true"));
+        facts.text(&format!("{key}/{}", kept.to_lowercase()), is_so.then(String::new), at);
+    }
     for what in ["Default", "Min", "Max"] {
         let bytes = info.and_then(|info| bytes(info, what, &kind, bits));
         facts.text(&format!("{key}/{}", what.to_lowercase()), bytes, at);
@@ -171,6 +177,7 @@ pub(crate) fn canonical(name: &str, bits: Option<i64>) -> String {
         "REAL64" => "LREAL",
         // An enumeration of some bits is based on bytes by its name.
         "USINT" if bits.is_some_and(|bits| bits < 8) => return format!("BIT{}", bits.unwrap_or(0)),
+        _ if upper.starts_with("ARRAY") => return upper.split_whitespace().collect::<Vec<_>>().join(" "),
         _ if upper.starts_with("STRING") || upper.starts_with("VISIBLE_STRING") => "STRING",
         _ => upper.as_str(),
     };

@@ -3,10 +3,10 @@
 use serde_json::{Value, json};
 
 use super::position::range;
-use crate::diagnostic::{Diagnostic, Diagnostics, Level, Rule};
+use crate::diagnostic::{Diagnostic, Diagnostics, Group, Level, Rule};
 use crate::text::{Location, Sources, characters as text};
 
-const RULES_URI: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/compiler/docs/rules.md");
+const DOCS_URI: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/compiler/docs");
 
 /// The messages about several descriptions as one SARIF log, with the table of all rules.
 pub fn sarif(runs: &[(&Diagnostics, &Sources)], rules: &[&Rule]) -> String {
@@ -44,10 +44,15 @@ fn descriptor(rule: &Rule) -> Value {
         "shortDescription": { "text": rule.summary },
         "fullDescription": { "text": why(rule) },
         "help": { "text": why(rule), "markdown": rule.docs },
-        "helpUri": format!("{RULES_URI}#{}", rule.name),
+        "helpUri": format!("{DOCS_URI}/{}#{}", page(rule), rule.name),
         "defaultConfiguration": { "level": level(rule.level) },
         "properties": { "tags": [rule.group.name()] },
     })
+}
+
+/// The page that has its documentation.
+fn page(rule: &Rule) -> &'static str {
+    if rule.group == Group::Changes { "changes.md" } else { "rules.md" }
 }
 
 /// The documentation up to its examples.
@@ -124,7 +129,7 @@ fn result(diagnostic: &Diagnostic, places: &Places<'_>, rules: &[&Rule]) -> Valu
     json!({
         "ruleId": rule.name,
         "ruleIndex": rules.iter().position(|other| other.name == rule.name),
-        "level": level(diagnostic.level),
+        "level": if diagnostic.level == Level::Allow { "note" } else { level(diagnostic.level) },
         "message": { "text": said(diagnostic) },
         "locations": primary.map(location).into_iter().collect::<Vec<_>>(),
         "relatedLocations": related.iter().map(location).collect::<Vec<_>>(),

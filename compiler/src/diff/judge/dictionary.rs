@@ -44,7 +44,10 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
 fn follows(versions: Versions<'_>, index: Index, path: &[&str]) -> bool {
     let of = |device: &Device| device.object(index).is_none_or(|object| object.derived);
     let is_derived = of(versions.old) && of(versions.new);
+    let is_there = versions.old.object(index).is_some() && versions.new.object(index).is_some();
     match path {
+        // One that comes to follow from a PDO, or no longer does: the PDO is what is new or gone.
+        _ if is_there && of(versions.old) != of(versions.new) => true,
         [] | ["kind"] | ["entries", _] => is_derived,
         ["entries", _, "default"] => is_derived || is_identity(versions, index),
         ["entries", _, "access"] => is_derived && versions.old.mailbox != versions.new.mailbox,

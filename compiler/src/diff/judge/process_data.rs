@@ -19,7 +19,7 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
     }
     let (old, new) = versions.pdo(key)?;
     let kind: &'static Kind = match rest {
-        ["entries", ..] if layout(old) == layout(new) => return names(rest),
+        ["entries", ..] if layout(old) == layout(new) => return same_layout(versions, old, new, rest),
         ["entries", ..] => {
             let kind = content(versions, index(key)?, old);
             let whole = Whole { depth: TO_A_PDO, old: shown(old), new: shown(new) };
@@ -27,7 +27,12 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         }
         ["direction"] => &kinds::REMOVED_PDO,
         ["fixed" | "mandatory"] => restricted(difference.second.as_deref() == Some("true")),
-        ["excludes"] => restricted(new.excludes.iter().any(|other| !old.excludes.contains(other))),
+        // Together with a PDO that was not there it cannot have been assigned.
+        ["excludes"] => restricted(
+            new.excludes
+                .iter()
+                .any(|other| !old.excludes.contains(other) && versions.old.pdo(*other).is_some()),
+        ),
         ["max_bytes"] => restricted(less(old.max_bytes, new.max_bytes)),
         ["max_entries"] => restricted(less(old.max_entries, new.max_entries)),
         ["name"] => &kinds::RENAMED,
@@ -38,10 +43,8 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
 }
 
 /// What is where in a PDO.
-fn layout(pdo: &Pdo) -> Vec<(Option<crate::model::Address>, u32, bool)> {
-    // A type decides how the bits are read; without an object it is all there is.
-    let is_signed = |pdo: &crate::model::Mapped| pdo.address.is_none() && pdo.data_type.is_some();
-    pdo.entries.iter().map(|entry| (entry.address, entry.bits, is_signed(entry))).collect()
+fn layout(pdo: &Pdo) -> Vec<(Option<crate::model::Address>, u32)> {
+    pdo.entries.iter().map(|entry| (entry.address, entry.bits)).collect()
 }
 
 /// The layout of a PDO, for people.
@@ -67,11 +70,23 @@ fn is_assigned(device: &Device, index: Index) -> bool {
     device.sync_managers.iter().any(|manager| manager.pdos.contains(&index))
 }
 
-/// The layout is the same: what differs is what entries are called.
-fn names(path: &[&str]) -> Option<Judged> {
+/// The layout is the same: what differs is what entries are called, and how their bits are read.
+fn same_layout(versions: Versions<'_>, old: &Pdo, new: &Pdo, path: &[&str]) -> Option<Judged> {
     match path {
         [_, _, "name"] => Some((&kinds::RENAMED).into()),
-        // The type is that of the object, of which its own change tells.
+        [_, place, "data_type"] => {
+            let place: usize = place.parse().ok()?;
+            let (old, new) = (old.entries.get(place)?, new.entries.get(place)?);
+            // The type is that of the object, of which its own change tells; without an object it is all there is.
+            let is_known =
+                |device: &Device| old.address.is_some_and(|address| device.entry(address).is_some());
+            let is_told = is_known(versions.old) || is_known(versions.new);
+            let kind = match (old.data_type, new.data_type) {
+                (Some(_), Some(_)) => &kinds::CHANGED_TYPE,
+                _ => &kinds::RESPELT_TYPE,
+            };
+            (!is_told).then(|| kind.into())
+        }
         _ => None,
     }
 }

@@ -64,7 +64,7 @@ pub fn json(comparison: &Comparison, old: &Sources, new: &Sources) -> String {
 fn shown<'c>(change: &'c Change, places: &Places<'_>) -> Shown<'c> {
     let (old_place, new_place) = places.of(change);
     Shown {
-        kind: change.kind.name,
+        kind: change.kind.rule.name,
         class: change.kind.class,
         at: change.at.to_string(),
         name: change.name.as_deref(),

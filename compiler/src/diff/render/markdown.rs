@@ -50,5 +50,5 @@ fn line(comparison: &Comparison, change: &Change) -> String {
     let range = if range.is_empty() { range } else { format!(" {range}") };
     let values = values(change, "to");
     let values = if values.is_empty() { values } else { format!(": {}", escape(&values)) };
-    format!("- `{}`{name}{range}, {}{values}\n", change.at, change.kind.summary)
+    format!("- `{}`{name}{range}, {}{values}\n", change.at, change.kind.rule.summary)
 }

@@ -48,7 +48,7 @@ fn line(comparison: &Comparison, change: &Change, places: &Places<'_>) -> String
     let places: Vec<String> = [old, new].into_iter().flatten().collect();
     format!(
         "  {} {}{name}{range}{values}\n      {}\n",
-        change.kind.name,
+        change.kind.rule.name,
         change.at,
         one_line(&places.join(" → "))
     )

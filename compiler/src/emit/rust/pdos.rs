@@ -104,6 +104,7 @@ fn field(scope: &Scope<'_>, mapped: &Mapped, place: &Place) -> Option<TokenStrea
                 None => title,
             })
         }
+        None if mapped.data_type.is_some() => Doc::new(title).text("The dictionary does not have it."),
         None => Doc::new(title).text("The dictionary does not have it, so only its width is known."),
     };
     Some(quote!(#doc pub #name: #value,))

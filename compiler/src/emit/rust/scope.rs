@@ -128,8 +128,10 @@ impl<'a> Scope<'a> {
         let entries = self.device.objects.iter().flat_map(|object| &object.entries);
         let mapped = self.device.pdos.iter().flat_map(|pdo| &pdo.entries);
         let of_entries = entries.map(|entry| Primitive::of(entry.data_type));
-        let of_mapped = mapped.filter(|mapped| mapped.data_type.is_none() && mapped.address.is_some());
-        let of_mapped = of_mapped.map(|mapped| Primitive::of_bits(mapped.bits));
+        let is_absent = |address| self.device.entry(address).is_none();
+        let of_mapped = mapped
+            .filter(|mapped| mapped.address.is_some_and(is_absent))
+            .map(|mapped| mapped.data_type.map_or_else(|| Primitive::of_bits(mapped.bits), Primitive::of));
         let widths: BTreeSet<Primitive> =
             of_entries.chain(of_mapped).filter(|primitive| !primitive.is_native()).collect();
         widths.into_iter().map(Primitive::tokens).collect()

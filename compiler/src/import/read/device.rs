@@ -1,7 +1,7 @@
 //! A device: identity, mailbox, clocks, EEPROM.
 
 use super::element::{At, Element};
-use super::esi::{Device, Eeprom, Head, InitCmd, Mailbox, OpMode, Signal};
+use super::esi::{Device, Eeprom, Head, InitCmd, Mailbox, OpMode, Signal, Timeout};
 use super::number::{bytes, number, truth};
 use super::{dictionary, process_data, words};
 
@@ -39,16 +39,37 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         physics: device.attribute("Physics").map(str::to_owned),
         profile,
         add_info,
-        fmmus: device.all("Fmmu").map(|it| (it.text().to_owned(), it.at())).collect(),
+        fmmus: device.all("Fmmu").map(process_data::fmmu).collect(),
         sync_managers: device.all("Sm").map(process_data::sm).collect(),
         rx_pdos: device.all("RxPdo").filter_map(process_data::pdo).collect(),
         tx_pdos: device.all("TxPdo").filter_map(process_data::pdo).collect(),
         mailbox: device.child("Mailbox").map(mailbox),
+        timeouts: device.child("Info").map(timeouts).unwrap_or_default(),
+        replaces: device.all("HideType").filter_map(|it| it.attribute_as("RevisionNo", number)).collect(),
+        sync_units: device.all("Su").map(|it| it.text().to_owned()).collect(),
         op_modes: device.child("Dc").into_iter().flat_map(|dc| dc.all("OpMode")).map(op_mode).collect(),
         eeprom: device.child("Eeprom").map(eeprom),
         objects,
         excess,
     }
+}
+
+/// How long a master waits, by the keys of a description.
+fn timeouts(info: &Element<'_>) -> Vec<Timeout> {
+    let kinds = [
+        ("StateMachine", "PreopTimeout", "pre-op"),
+        ("StateMachine", "SafeopOpTimeout", "safe-op-op"),
+        ("StateMachine", "BackToInitTimeout", "back-to-init"),
+        ("StateMachine", "BackToSafeopTimeout", "back-to-safe-op"),
+        ("Mailbox", "RequestTimeout", "request"),
+        ("Mailbox", "ResponseTimeout", "response"),
+    ];
+    let read = |(part, name, key)| {
+        let timeout = info.child(part)?.child("Timeout")?;
+        let milliseconds = timeout.child_as(name, number)?;
+        Some(Timeout { at: timeout.child(name)?.at(), key, milliseconds })
+    };
+    kinds.into_iter().filter_map(read).collect()
 }
 
 fn add_info(parent: &Element<'_>) -> Option<(u32, At)> {
@@ -69,6 +90,10 @@ fn mailbox(element: &Element<'_>) -> Mailbox {
     let protocols: Vec<String> = protocols.map(str::to_owned).collect();
     protocols.iter().for_each(|name| _ = element.child(name));
     let coe = element.child("CoE");
+    let eoe = |name| element.child("EoE").and_then(|eoe| eoe.attribute_as(name, truth));
+    for name in ["PdoUpload", "SdoUploadWithMaxLength"] {
+        coe.into_iter().for_each(|coe| coe.says_usual(name));
+    }
     let flag = |name| coe.and_then(|coe| coe.attribute_as(name, truth)).unwrap_or(false);
     let commands = coe.into_iter().flat_map(|coe| coe.all("InitCmd")).filter_map(init_cmd).collect();
     Mailbox {
@@ -79,6 +104,9 @@ fn mailbox(element: &Element<'_>) -> Mailbox {
         pdo_config: flag("PdoConfig"),
         complete_access: flag("CompleteAccess"),
         segmented: flag("SegmentedSdo"),
+        eoe_ip: eoe("IP"),
+        eoe_mac: eoe("MAC"),
+        diagnosis: flag("DiagHistory"),
         commands,
     }
 }
@@ -88,7 +116,8 @@ fn init_cmd(element: &Element<'_>) -> Option<InitCmd> {
     let subindex = element.child_as("SubIndex", number).unwrap_or(0);
     let data = element.child_as("Data", bytes)?;
     let transitions = element.all("Transition").map(|it| it.text().to_owned()).collect();
-    Some(InitCmd { at: element.at(), transitions, index, subindex, data, facts: element.facts() })
+    let comment = words::name(element, "Comment");
+    Some(InitCmd { at: element.at(), transitions, index, subindex, data, comment, facts: element.facts() })
 }
 
 fn op_mode(element: &Element<'_>) -> OpMode {
@@ -106,8 +135,16 @@ fn signal(mode: &Element<'_>, cycle: &str, shift: &str) -> Option<Signal> {
     let period = mode.child_as(cycle, number);
     let delay = mode.child_as(shift, number);
     let element = mode.children().iter().find(|child| [cycle, shift].contains(&child.name()))?;
-    let factor = mode.child(cycle).and_then(|cycle| cycle.attribute_as("Factor", number));
-    Some(Signal { at: element.at(), cycle: period.unwrap_or(0), factor, shift: delay.unwrap_or(0) })
+    let factor = |name| mode.child(name).and_then(|it| it.attribute_as("Factor", number));
+    let of_inputs = mode.child(shift).and_then(|it| it.attribute_as("Input", truth)).unwrap_or(false);
+    Some(Signal {
+        at: element.at(),
+        cycle: period.unwrap_or(0),
+        factor: factor(cycle),
+        shift: delay.unwrap_or(0),
+        shift_factor: factor(shift),
+        of_inputs,
+    })
 }
 
 fn eeprom(element: &Element<'_>) -> Eeprom {

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use super::element::{At, Element};
 use super::esi::{Choice, Datum, Flags, Object, Shape, Value, Written};
-use super::number::{bytes, number};
+use super::number::{bytes, number, truth};
 use super::words;
 
 /// A type as it is declared.
@@ -228,5 +228,7 @@ fn own_flags(element: &Element<'_>) -> Option<Flags> {
             .map(str::to_owned),
         category: word("Category"),
         pdo_mapping: word("PdoMapping"),
+        backup: flags.child_as("Backup", truth).unwrap_or(false),
+        setting: flags.child_as("Setting", truth).unwrap_or(false),
     })
 }

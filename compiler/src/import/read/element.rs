@@ -93,6 +93,11 @@ impl<'t> Element<'t> {
         found.inspect(|child| child.read.set(true))
     }
 
+    /// Passes over an attribute that says what holds without it: `false`.
+    pub(super) fn says_usual(&self, name: &str) {
+        self.attribute_as(name, |text| super::number::truth(text).filter(|it| !it));
+    }
+
     /// All children, which are not read by that.
     pub(crate) fn children(&self) -> &[Self] {
         &self.children

@@ -29,16 +29,37 @@ pub(crate) struct Device {
     pub(crate) physics: Option<String>,
     pub(crate) profile: Option<u32>,
     pub(crate) add_info: Option<(u32, At)>,
-    pub(crate) fmmus: Vec<(String, At)>,
+    pub(crate) fmmus: Vec<Fmmu>,
     pub(crate) sync_managers: Vec<Sm>,
     pub(crate) rx_pdos: Vec<Pdo>,
     pub(crate) tx_pdos: Vec<Pdo>,
     pub(crate) mailbox: Option<Mailbox>,
+    pub(crate) timeouts: Vec<Timeout>,
+    /// The revisions that it takes the place of.
+    pub(crate) replaces: Vec<u32>,
+    /// What the sync units are called, in their order.
+    pub(crate) sync_units: Vec<String>,
     pub(crate) op_modes: Vec<OpMode>,
     pub(crate) eeprom: Option<Eeprom>,
     pub(crate) objects: Vec<Object>,
     /// The first object that was one too many.
     pub(crate) excess: Option<At>,
+}
+
+/// How long a master waits.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Timeout {
+    pub(crate) at: At,
+    /// The key of a description.
+    pub(crate) key: &'static str,
+    pub(crate) milliseconds: u32,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Fmmu {
+    pub(crate) at: At,
+    pub(crate) name: String,
+    pub(crate) sm: Option<u8>,
 }
 
 #[derive(Debug, Default)]
@@ -47,9 +68,11 @@ pub(crate) struct Sm {
     pub(crate) name: String,
     pub(crate) address: Option<u16>,
     pub(crate) default_size: Option<u16>,
+    pub(crate) min_size: Option<u16>,
     pub(crate) max_size: Option<u16>,
     pub(crate) control: Option<u8>,
     pub(crate) enable: Option<bool>,
+    pub(crate) op_only: bool,
 }
 
 #[derive(Debug, Default)]
@@ -60,6 +83,8 @@ pub(crate) struct Pdo {
     pub(crate) fixed: bool,
     pub(crate) mandatory: bool,
     pub(crate) sm: Option<u8>,
+    /// The number of its sync unit.
+    pub(crate) su: Option<u8>,
     pub(crate) excludes: Vec<(u16, At)>,
     pub(crate) entries: Vec<PdoEntry>,
 }
@@ -85,6 +110,10 @@ pub(crate) struct Mailbox {
     pub(crate) pdo_config: bool,
     pub(crate) complete_access: bool,
     pub(crate) segmented: bool,
+    pub(crate) eoe_ip: Option<bool>,
+    pub(crate) eoe_mac: Option<bool>,
+    /// Whether it says that there is a list of diagnosis messages.
+    pub(crate) diagnosis: bool,
     pub(crate) commands: Vec<InitCmd>,
 }
 
@@ -95,6 +124,7 @@ pub(crate) struct InitCmd {
     pub(crate) index: u16,
     pub(crate) subindex: u8,
     pub(crate) data: Vec<u8>,
+    pub(crate) comment: Option<String>,
     /// How many facts it is.
     pub(crate) facts: usize,
 }
@@ -116,6 +146,8 @@ pub(crate) struct Signal {
     pub(crate) cycle: i64,
     pub(crate) factor: Option<i32>,
     pub(crate) shift: i64,
+    pub(crate) shift_factor: Option<i32>,
+    pub(crate) of_inputs: bool,
 }
 
 #[derive(Debug, Default)]
@@ -179,6 +211,8 @@ pub(crate) struct Flags {
     pub(crate) write_restrictions: Option<String>,
     pub(crate) category: Option<String>,
     pub(crate) pdo_mapping: Option<String>,
+    pub(crate) backup: bool,
+    pub(crate) setting: bool,
 }
 
 /// A value as it is written.

@@ -14,8 +14,8 @@ use std::borrow::Cow;
 
 pub(super) use element::{At, Element, Unread};
 pub(super) use esi::{
-    Choice, Datum, Device, Esi, Head, Mailbox, Object, OpMode, Pdo, PdoEntry, Shape, Signal, Sm, Value,
-    Written,
+    Choice, Datum, Device, Esi, Fmmu, Head, InitCmd, Mailbox, Object, OpMode, Pdo, PdoEntry, Shape, Signal,
+    Sm, Timeout, Value, Written,
 };
 pub(super) use number::number;
 

@@ -1,24 +1,36 @@
 //! Sync managers and PDOs.
 
 use super::element::Element;
-use super::esi::{Pdo, PdoEntry, Sm};
+use super::esi::{Fmmu, Pdo, PdoEntry, Sm};
 use super::number::{number, truth};
 use super::words;
 
+/// A mapping unit.
+pub(super) fn fmmu(element: &Element<'_>) -> Fmmu {
+    element.says_usual("OpOnly");
+    Fmmu { at: element.at(), name: element.text().to_owned(), sm: element.attribute_as("Sm", number) }
+}
+
 pub(super) fn sm(element: &Element<'_>) -> Sm {
+    element.says_usual("Virtual");
+    element.says_usual("Watchdog");
     Sm {
         at: element.at(),
         name: element.text().to_owned(),
         address: element.attribute_as("StartAddress", number),
         default_size: element.attribute_as("DefaultSize", number),
+        min_size: element.attribute_as("MinSize", number),
         max_size: element.attribute_as("MaxSize", number),
         control: element.attribute_as("ControlByte", number),
         enable: element
             .attribute_as("Enable", |text| truth(text).or(number::<u8>(text).map(|it| it & 1 == 1))),
+        op_only: element.attribute_as("OpOnly", truth).unwrap_or(false),
     }
 }
 
 pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
+    element.says_usual("Virtual");
+    element.says_usual("OverwrittenByModule");
     Some(Pdo {
         at: element.at(),
         index: element.child_as("Index", number)?,
@@ -26,6 +38,7 @@ pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
         fixed: element.attribute_as("Fixed", truth).unwrap_or(false),
         mandatory: element.attribute_as("Mandatory", truth).unwrap_or(false),
         sm: element.attribute_as("Sm", number),
+        su: element.attribute_as("Su", number),
         excludes: element.all("Exclude").filter_map(|it| Some((number(it.text())?, it.at()))).collect(),
         entries: element.all("Entry").filter_map(entry).collect(),
     })

@@ -153,6 +153,7 @@ impl Axes {
         first.fixed == other.fixed
             && first.mandatory == other.mandatory
             && first.sm == other.sm
+            && first.su == other.su
             && excludes(first, axis * PDOS) == excludes(other, 0)
             && first
                 .entries

@@ -46,22 +46,31 @@ fn block(mode: &OpMode, first: bool, report: &mut Report) -> Block {
 
 fn signal(signal: &Signal, name: &str, report: &mut Report) -> Keys {
     let mut keys = Keys::new();
-    if signal.cycle != 0 {
-        let why = "a period is so many cycles of the master";
-        report.lose(signal.at, 1, format!("the fixed period of {name} of an OpMode"), why);
+    match u64::try_from(signal.cycle) {
+        Ok(0) => {
+            if let Some(factor) = signal.factor.filter(|factor| *factor != 1) {
+                set(&mut keys, "cycles", Toml::Integer(factor.into()));
+            }
+        }
+        Ok(_) => {
+            set(&mut keys, "period", Toml::text(time(signal.cycle)));
+            if signal.factor.is_some() {
+                let why = "it has a period of its own, of which no cycles are counted";
+                report.lose(signal.at, 1, format!("the factor of {name} of an OpMode"), why);
+            }
+        }
+        Err(_) => {
+            report.lose(signal.at, 1, format!("the period of {name} of an OpMode"), "it is negative");
+        }
     }
-    if let Some(factor) = signal.factor.filter(|factor| *factor != 1) {
-        set(&mut keys, "cycles", Toml::Integer(factor.into()));
-    }
-    if signal.shift < 0 {
-        report.lose(
-            signal.at,
-            1,
-            format!("the negative shift of {name} of an OpMode"),
-            "a shift is never negative",
-        );
-    } else if signal.shift > 0 {
+    if signal.shift != 0 {
         set(&mut keys, "shift", Toml::text(time(signal.shift)));
+    }
+    if let Some(factor) = signal.shift_factor.filter(|factor| *factor != 0) {
+        set(&mut keys, "shift-cycles", Toml::Integer(factor.into()));
+    }
+    if signal.of_inputs {
+        set(&mut keys, "of-inputs", Toml::Bool(true));
     }
     keys
 }

@@ -1,28 +1,30 @@
 //! Objects that devc makes itself: mapping and assignment objects and 0x1C00. Only what it would make otherwise is said.
 
-use super::super::read::{Object, Pdo, Value, Written, number};
+use std::borrow::Cow;
+
+use super::super::read::{Object, Pdo, PdoEntry, Value, Written, number};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
 use super::draft::Block;
+use super::sync_managers::{self, Manager};
 use super::words;
-use crate::model::{Access, Category};
+use crate::model::{Access, Category, WriteWindow};
 
 /// What the objects follow from.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Basis<'b> {
     pub(super) rx: &'b [&'b Pdo],
     pub(super) tx: &'b [&'b Pdo],
+    pub(super) managers: &'b [Manager<'b>],
     /// Whether the master may write assignments and mappings.
     pub(super) assigns: bool,
     pub(super) maps: bool,
-    /// Which sync managers there are: for outputs, for inputs.
-    pub(super) managers: [bool; 2],
 }
 
 /// What devc makes of an object.
 struct Made<'b> {
     access: Access,
-    name: &'b str,
+    name: Cow<'b, str>,
     /// The values of its entries; none if the file's are not compared.
     values: Vec<u64>,
 }
@@ -38,118 +40,126 @@ pub(super) fn room(objects: &[&Object], index: u16) -> usize {
     object.map_or(0, |object| object.values.iter().filter(|value| value.subindex > 0).count())
 }
 
+/// Whether an object follows from a PDO or a sync manager of the device. If not, it is an object as any other.
+pub(super) fn follows(object: &Object, basis: &Basis<'_>) -> bool {
+    let is_empty = object.index >= ASSIGNMENTS && object.values.iter().all(|value| value.subindex == 0);
+    is_derived(object.index) && (is_empty || made(object.index, basis).is_some())
+}
+
 /// What is to be said of a derived object, if it is not as devc makes it.
 pub(super) fn block(object: &Object, basis: &Basis<'_>, report: &mut Report) -> Option<Block> {
-    let what = format!("0x{:04X}", object.index);
-    let facts = 3 + object.values.iter().map(facts).sum::<usize>();
-    let Some(made) = made(object, basis) else {
-        report.lose(
-            object.at,
-            facts,
-            format!("object {what}"),
-            "it belongs to a PDO or a sync manager that is not described",
-        );
-        return None;
-    };
-    compare(object, &made, report);
-    let keys = access(object, made.access, report);
-    let mentioned = matches!(object.index, 0x1C10 | 0x1C11);
-    let differs = !keys.is_empty() || mentioned;
-    differs.then(|| Block::new("objects", Some(what), keys))
+    // The assignment of a sync manager without PDOs is there only if it is mentioned.
+    let made = made(object.index, basis);
+    let is_mentioned = made.is_none();
+    let made = made.unwrap_or_else(|| Made {
+        access: Access::Ro,
+        name: Cow::Owned(assignment(object.index)),
+        values: Vec::new(),
+    });
+    let mut keys = Keys::new();
+    if let Some(name) = object.name.as_ref().filter(|name| !words::alike(name, &made.name)) {
+        set(&mut keys, "name", Toml::text(name));
+    }
+    let entries: Vec<&Value> = object.values.iter().filter(|value| value.subindex > 0).collect();
+    let category = category(&entries, report);
+    contradictions(object, &made, report);
+    let all = entries.first().map(|entry| entry.flags.access.as_deref().and_then(words::access_of));
+    let besides = besides(object, &entries, all.flatten(), report);
+    let is_other = category.is_some_and(|category| category != Category::Mandatory);
+    let is_said = is_mentioned || is_other || !keys.is_empty() || !besides.is_empty();
+    let access = access(object, made.access, is_said, report);
+    // What is mentioned takes the category that its profile says.
+    let is_of_profile = object.index >= 0x1C00 && (is_said || !access.is_empty());
+    if let Some(category) = category.filter(|_| is_other || is_of_profile) {
+        set(&mut keys, "category", Toml::text(words::category(category)));
+    }
+    keys.extend(access);
+    keys.extend(besides);
+    (is_mentioned || !keys.is_empty())
+        .then(|| Block::new("objects", Some(format!("0x{:04X}", object.index)), keys))
 }
 
-fn facts(value: &Value) -> usize {
-    usize::from(value.default.is_some()) + usize::from(value.name.is_some())
+/// The first assignment object, that of sync manager 0.
+const ASSIGNMENTS: u16 = 0x1C10;
+
+/// The name of an assignment object.
+fn assignment(index: u16) -> String {
+    format!("Sync manager {} PDO assignment", index & 0xF)
 }
 
-fn made<'b>(object: &Object, basis: &Basis<'b>) -> Option<Made<'b>> {
+fn made<'b>(index: u16, basis: &Basis<'b>) -> Option<Made<'b>> {
     let access = |free| if free { Access::Rw } else { Access::Ro };
-    let assigned =
-        |pdos: &[&Pdo]| pdos.iter().filter(|pdo| pdo.sm.is_some()).map(|pdo| pdo.index.into()).collect();
-    let [outputs, inputs] = basis.managers;
-    match object.index {
-        0x1C00 => {
-            Some(Made { access: Access::Ro, name: "Sync manager communication type", values: Vec::new() })
-        }
-        0x1C10 => {
-            Some(Made { access: Access::Ro, name: "Sync manager 0 PDO assignment", values: Vec::new() })
-        }
-        0x1C11 => {
-            Some(Made { access: Access::Ro, name: "Sync manager 1 PDO assignment", values: Vec::new() })
-        }
-        0x1C12 => outputs.then(|| Made {
-            access: access(basis.assigns),
-            name: "Sync manager 2 PDO assignment",
-            values: assigned(basis.rx),
+    match index {
+        0x1C00 => (!basis.managers.is_empty()).then(|| Made {
+            access: Access::Ro,
+            name: Cow::Borrowed("Sync manager communication type"),
+            values: Vec::new(),
         }),
-        0x1C13 => inputs.then(|| Made {
-            access: access(basis.assigns),
-            name: "Sync manager 3 PDO assignment",
-            values: assigned(basis.tx),
-        }),
+        ASSIGNMENTS.. => {
+            let number = index - ASSIGNMENTS;
+            let carries = |it: &&Manager<'_>| u16::from(it.number) == number && it.role.is_process_data();
+            let manager = basis.managers.iter().find(carries)?;
+            let carried = sync_managers::carried(manager, [basis.rx, basis.tx]);
+            Some(Made {
+                access: access(basis.assigns),
+                name: Cow::Owned(assignment(index)),
+                values: carried.iter().map(|pdo| pdo.index.into()).collect(),
+            })
+        }
         index => {
             let pdo = basis.rx.iter().chain(basis.tx).find(|pdo| pdo.index == index)?;
-            let word = |entry: &super::super::read::PdoEntry| {
-                let place = u64::from(entry.index) << 16 | u64::from(entry.subindex) << 8;
-                if entry.index == 0 {
-                    u64::from(entry.bits & 0xFF)
-                } else {
-                    place | u64::from(entry.bits & 0xFF)
-                }
-            };
-            let values = pdo.entries.iter().map(word).collect();
             Some(Made {
                 access: access(!pdo.fixed && basis.maps),
-                name: pdo.name.as_deref().unwrap_or_default(),
-                values,
+                name: Cow::Borrowed(pdo.name.as_deref().unwrap_or_default()),
+                values: pdo.entries.iter().map(word).collect(),
             })
         }
     }
 }
 
-/// Reports what of the file is not as it follows from its PDOs.
-fn compare(object: &Object, made: &Made<'_>, report: &mut Report) {
-    if object.name.as_ref().is_some_and(|name| !words::alike(name, made.name)) {
+/// What a mapping object holds for an entry.
+fn word(entry: &PdoEntry) -> u64 {
+    let place = u64::from(entry.index) << 16 | u64::from(entry.subindex) << 8;
+    u64::from(entry.bits & 0xFF) | if entry.index == 0 { 0 } else { place }
+}
+
+/// Whether a profile demands the entries.
+fn category(entries: &[&Value], report: &mut Report) -> Option<Category> {
+    let of = |value: &&Value| value.flags.category.as_deref().and_then(words::category_of);
+    let first = entries.iter().find_map(of)?;
+    for other in entries.iter().filter(|entry| of(entry).is_some_and(|category| category != first)) {
+        let why = "that of the first entry is taken for all";
+        report.lose(other.at, 1, "the category of an entry that follows from others", why);
+    }
+    Some(first)
+}
+
+/// Reports defaults that are not what the PDOs say, and widths that no such object has.
+fn contradictions(object: &Object, made: &Made<'_>, report: &mut Report) {
+    let bits = match object.index {
+        0x1C00 => 8,
+        ASSIGNMENTS.. => 16,
+        _ => 32,
+    };
+    let entries = object.values.iter().filter(|value| value.subindex > 0);
+    for entry in entries.clone().filter(|entry| entry.bits.is_some_and(|it| it != bits)) {
         report.lose(
-            object.at,
+            entry.at,
             1,
-            "the name of an object that follows from others",
-            "it has one that follows",
+            "the width of a mapping or assignment object",
+            format!("it has {bits} bits"),
         );
     }
-    let category = |value: &Value| value.flags.category.as_deref().and_then(words::category_of);
-    let entries: Vec<&Value> = object.values.iter().filter(|value| value.subindex > 0).collect();
-    if entries.iter().filter_map(|entry| category(entry)).any(|category| category != Category::Mandatory) {
-        let why = "what follows from others is mandatory";
-        report.lose(object.at, 1, "the category of an object that follows from others", why);
-    }
-    if !matches!(object.index, 0x1C00 | 0x1C10 | 0x1C11) {
-        beyond(object, made, &entries, report);
-        defaults(made, &entries, report);
-    }
-}
-
-/// Reports entries that a PDO does not fill.
-fn beyond(object: &Object, made: &Made<'_>, entries: &[&Value], report: &mut Report) {
-    let beyond = entries.get(made.values.len()..).unwrap_or_default();
-    if !beyond.is_empty() && !matches!(object.index, 0x1C12 | 0x1C13) {
-        let facts = beyond.iter().map(|entry| facts(entry)).sum();
-        report.lose(
-            object.at,
-            facts,
-            "entries of a mapping object beyond those of its PDO",
-            "they follow from the PDO",
-        );
-    }
-}
-
-/// Reports defaults that are not what the PDOs say.
-fn defaults(made: &Made<'_>, entries: &[&Value], report: &mut Report) {
-    for (entry, value) in entries.iter().zip(&made.values) {
-        let stated = entry.default.as_ref().and_then(|datum| integer(&datum.written));
-        if stated.is_some_and(|stated| stated != *value) {
-            let why = "it follows from the PDOs, which say otherwise";
-            report.lose(entry.at, 1, "the default of a mapping or assignment object", why);
+    if object.index < 0x1C00 || object.index >= ASSIGNMENTS {
+        let count = object.values.iter().filter(|value| value.subindex == 0);
+        let used = u64::try_from(made.values.len()).unwrap_or(u64::MAX);
+        let values = made.values.iter().copied().chain(std::iter::repeat(0));
+        for (entry, value) in count.map(|count| (count, used)).chain(entries.zip(values)) {
+            let stated = entry.default.as_ref().and_then(|datum| integer(&datum.written));
+            if stated.is_some_and(|stated| stated != value) {
+                let why = "it follows from the PDOs, which say otherwise";
+                report.lose(entry.at, 1, "the default of a mapping or assignment object", why);
+            }
         }
     }
 }
@@ -165,35 +175,78 @@ fn integer(written: &Written) -> Option<u64> {
 }
 
 /// Who may write it, where that is not what devc would make of it.
-fn access(object: &Object, made: Access, report: &mut Report) -> Keys {
+fn access(object: &Object, made: Access, is_said: bool, report: &mut Report) -> Keys {
     let of = |value: &Value| value.flags.access.as_deref().and_then(words::access_of).unwrap_or(Access::Ro);
     let count = object.values.iter().find(|value| value.subindex == 0).map(of);
     let entries = object.values.iter().find(|value| value.subindex > 0).map(of);
     let all = entries.or(count).unwrap_or(made);
     let mut keys = Keys::new();
+    let window = window(object, report);
+    // What is mentioned takes the access that its profile says.
     let is_profile = object.index >= 0x1C00;
-    let own = count.filter(|count| *count != all);
-    if all != made || is_profile && own.is_some() {
+    let has_own_count = count.is_some_and(|count| count != all);
+    if all != made || is_profile && (is_said || has_own_count || window.is_some()) {
         set(&mut keys, "access", Toml::text(words::access(all)));
     }
-    let window = |value: &Value| value.flags.write_restrictions.as_deref().and_then(words::window_of);
-    let windows: Vec<_> = object.values.iter().filter(|value| of(value) != Access::Ro).map(window).collect();
-    if let Some(Some(window)) = windows.first().filter(|first| windows.iter().all(|it| it == *first)) {
-        if is_profile && keys.is_empty() {
-            set(&mut keys, "access", Toml::text(words::access(all)));
-        }
-        set(&mut keys, "written", Toml::text(words::window(*window)));
-    } else if windows.iter().any(Option::is_some) {
-        report.lose(
-            object.at,
-            1,
-            "WriteRestrictions of an object that follows from others",
-            "not all entries have it",
-        );
+    if let Some(window) = window {
+        set(&mut keys, "written", Toml::text(words::window(window)));
     }
-    if let Some(count) = own {
-        let table = vec![("access".to_owned(), Toml::text(words::access(count)))];
-        set(&mut keys, "entries", Toml::Table(vec![("0".to_owned(), Toml::Table(table))]));
+    keys
+}
+
+/// When it can be written, if all that can be written says the same.
+fn window(object: &Object, report: &mut Report) -> Option<WriteWindow> {
+    let is_written = |value: &&Value| {
+        value.flags.access.as_deref().and_then(words::access_of).is_some_and(Access::writable)
+    };
+    let window = |value: &Value| value.flags.write_restrictions.as_deref().and_then(words::window_of);
+    let windows: Vec<_> = object.values.iter().filter(is_written).map(window).collect();
+    let first = windows.first().copied().flatten();
+    if windows.iter().any(|window| *window != first) {
+        let what = "WriteRestrictions of an object that follows from others";
+        report.lose(object.at, 1, what, "not all entries have it");
+        return None;
+    }
+    first
+}
+
+/// What the entries say besides, and what subindex 0 does, each where it is the same for all.
+fn besides(object: &Object, entries: &[&Value], all: Option<Access>, report: &mut Report) -> Keys {
+    let mut keys = Keys::new();
+    if let Some(first) = entries.first().map(|entry| extras(entry)) {
+        for entry in entries {
+            let lost = extras(entry).iter().filter(|extra| !first.contains(extra)).count();
+            if lost > 0 {
+                let why = "that of the first entry is taken for all";
+                report.lose(entry.at, lost, "limits and flags of an entry that follows from others", why);
+            }
+        }
+        keys.extend(first);
+    }
+    let count = object.values.iter().find(|value| value.subindex == 0);
+    let mut own = count.map(extras).unwrap_or_default();
+    let access = count.and_then(|count| count.flags.access.as_deref()).and_then(words::access_of);
+    if let Some(access) = access.filter(|access| all.is_some_and(|all| all != *access)) {
+        own.insert(0, ("access".to_owned(), Toml::text(words::access(access))));
+    }
+    if !own.is_empty() {
+        set(&mut keys, "entries", Toml::Table(vec![("0".to_owned(), Toml::Table(own))]));
+    }
+    keys
+}
+
+/// The flags and limits of an entry.
+fn extras(value: &Value) -> Keys {
+    let mut keys = Keys::new();
+    for (name, limit) in [("min", &value.min), ("max", &value.max)] {
+        if let Some(limit) = limit.as_ref().and_then(|datum| integer(&datum.written)) {
+            set(&mut keys, name, Toml::Integer(limit.into()));
+        }
+    }
+    for (name, is_so) in [("backup", value.flags.backup), ("setting", value.flags.setting)] {
+        if is_so {
+            set(&mut keys, name, Toml::Bool(true));
+        }
     }
     keys
 }

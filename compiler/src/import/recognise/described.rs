@@ -79,7 +79,8 @@ fn same_text(said: &Keys, known: &Toml, value: &Toml) -> bool {
 }
 
 /// What a key means that is left out.
-fn is_usual(name: &str, value: &Toml) -> bool {
+pub(super) fn is_usual(name: &str, value: &Toml) -> bool {
     matches!((name, value), ("pdo", Toml::Text(word)) if word == "none")
+        || matches!((name, value), ("backup" | "setting", Toml::Bool(false)))
         || matches!((name, value), ("category", Toml::Text(word)) if word == "optional")
 }

@@ -2,13 +2,13 @@
 
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, get, set};
-use super::described::{Described, difference};
+use super::described::{Described, difference, is_usual};
 use super::profile::Base;
 use super::value::Said;
 use super::words;
 
 /// The keys that an object can say for all its entries.
-const SHARED: [&str; 7] = ["type", "access", "pdo", "category", "default", "min", "max"];
+const SHARED: [&str; 9] = ["type", "access", "pdo", "category", "default", "min", "max", "backup", "setting"];
 
 /// What is said once for all entries: values that most of them have, where each has some.
 pub(super) fn shared(category: Option<&Toml>, members: &[&Said], base: Option<Base<'_>>) -> Keys {
@@ -26,7 +26,7 @@ pub(super) fn shared(category: Option<&Toml>, members: &[&Said], base: Option<Ba
         }
         let Some(most) = own.or_else(|| values.as_deref().and_then(most_frequent)) else { continue };
         let worth = needed * 2 > members.len() || own.is_some_and(|own| base.is_none() && !is_optional(own));
-        let is_none = base.is_none() && matches!(most, Toml::Text(word) if name == "pdo" && word == "none");
+        let is_none = base.is_none() && name != "category" && is_usual(name, most);
         let is_usual = base.is_none() && name == "category" && is_optional(most);
         if worth && !is_none && !is_usual && (members.len() > 1 || own.is_some()) {
             set(&mut keys, name, most.clone());
@@ -173,10 +173,11 @@ fn count(object: &Described, report: &mut Report) -> Option<(String, Toml)> {
     let count = object.values.iter().find(|value| value.subindex == 0)?;
     let highest = object.values.iter().map(|value| value.subindex).max().unwrap_or(0);
     let mut keys = Keys::new();
-    for name in ["access", "pdo", "written", "default", "min", "max"] {
+    for name in ["access", "pdo", "written", "default", "min", "max", "backup", "setting"] {
         let usual = match name {
             "access" => Some(Toml::text("ro")),
             "pdo" => Some(Toml::text("none")),
+            "backup" | "setting" => Some(Toml::Bool(false)),
             "default" => Some(Toml::Integer(highest.into())),
             _ => None,
         };

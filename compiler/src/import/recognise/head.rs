@@ -87,6 +87,10 @@ fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
         }
         set(&mut keys, name, Toml::Hex(number.unwrap_or(0).into(), 8));
     }
+    if !device.replaces.is_empty() {
+        let replaces = device.replaces.iter().map(|revision| Toml::Hex((*revision).into(), 8));
+        set(&mut keys, "replaces", Toml::List(replaces.collect()));
+    }
     Block { remarks, ..Block::new("identity", None, keys) }
 }
 

@@ -9,11 +9,13 @@ mod entries;
 mod family;
 mod head;
 mod literal;
+mod mailbox;
 mod objects;
 mod pdos;
 mod profile;
 mod references;
-mod transport;
+mod start_up;
+mod sync_managers;
 mod types;
 mod value;
 mod words;
@@ -23,20 +25,27 @@ pub(super) use family::family;
 
 use std::collections::BTreeSet;
 
-use super::read::{Device, Esi, Object};
+use super::read::{Device, Esi, Object, Pdo};
 use super::report::Report;
 use super::toml::Toml;
 use axes::Axes;
+use derived::Basis;
 use described::Described;
 use pdos::Way;
 use profile::Known;
+use references::References;
+use sync_managers::Manager;
 
 /// A device as a description.
 pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let profiles = if is_drive(device) { vec!["ethercat", "cia402"] } else { vec!["ethercat"] };
     let known = Known::of(&profiles);
+    let rx = pdos::possible(&device.rx_pdos, Way::Rx, report);
+    let tx = pdos::possible(&device.tx_pdos, Way::Tx, report);
+    let managers = sync_managers::managers(&device.sync_managers, report);
+    let basis = basis(device, [&rx, &tx], &managers);
     let (made, own): (Vec<&Object>, Vec<&Object>) =
-        distinct(device, report).into_iter().partition(|object| derived::is_derived(object.index));
+        distinct(device, report).into_iter().partition(|object| derived::follows(object, &basis));
     let mut described: Vec<Described> =
         own.into_iter().filter_map(|object| described::described(object, report)).collect();
     described.sort_by_key(|object| object.index);
@@ -51,9 +60,23 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
         draft.objects.push(block);
         draft.without.extend(without);
     }
-    process_data(device, &made, (&references, &axes), &mut draft, report);
+    process_data(device, &made, (&references, &axes), &basis, &mut draft, report);
     draft.device.extend(clocks::sync_modes(&device.op_modes, report));
+    let commands = device.mailbox.iter().flat_map(|mailbox| &mailbox.commands);
+    draft.device.extend(start_up::configuration(commands, &references, report));
     draft
+}
+
+/// What the objects follow from that devc makes.
+fn basis<'b>(device: &'b Device, [rx, tx]: [&'b [&'b Pdo]; 2], managers: &'b [Manager<'b>]) -> Basis<'b> {
+    let mailbox = device.mailbox.as_ref();
+    Basis {
+        rx,
+        tx,
+        managers,
+        assigns: mailbox.is_some_and(|mailbox| mailbox.pdo_assign),
+        maps: mailbox.is_some_and(|mailbox| mailbox.pdo_config),
+    }
 }
 
 /// Whether it speaks CiA 402: by its profile, or by control word and status word.
@@ -86,24 +109,27 @@ fn distinct<'d>(device: &'d Device, report: &mut Report) -> Vec<&'d Object> {
 fn process_data(
     device: &Device,
     made: &[&Object],
-    (references, axes): (&references::References, &Axes),
+    (references, axes): (&References, &Axes),
+    basis: &Basis<'_>,
     draft: &mut Draft,
     report: &mut Report,
 ) {
     let mut followers = BTreeSet::new();
-    let rx = pdos::possible(&device.rx_pdos, Way::Rx, report);
-    let tx = pdos::possible(&device.tx_pdos, Way::Tx, report);
-    if let Some(first) = rx.iter().chain(&tx).next().filter(|_| rx.iter().chain(&tx).all(|pdo| pdo.fixed)) {
+    let Basis { rx, tx, .. } = *basis;
+    if let Some(first) = rx.iter().chain(tx).next().filter(|_| rx.iter().chain(tx).all(|pdo| pdo.fixed)) {
         report.guess(
             first.at,
             "what can be mapped",
             "no mapping can be changed, so it follows from the PDOs",
         );
     }
-    for (way, pdos) in [(Way::Rx, &rx), (Way::Tx, &tx)] {
+    let units = sync_units(device, basis, report);
+    for (way, pdos) in [(Way::Rx, rx), (Way::Tx, tx)] {
         let (leading, following) = axes.pdos(pdos, report);
         for pdo in pdos.iter().filter(|pdo| !following.contains(&pdo.index)) {
-            let mut block = pdos::block(pdo, (way, pdos), references, derived::room(made, pdo.index), report);
+            let room = derived::room(made, pdo.index);
+            let surroundings = pdos::Surroundings { way, pdos, references, units: &units, room };
+            let mut block = pdos::block(pdo, &surroundings, report);
             if leading.contains(&pdo.index) {
                 block.keys.insert(1, ("per-axis".to_owned(), Toml::Bool(true)));
             }
@@ -111,19 +137,27 @@ fn process_data(
         }
         followers.extend(following);
     }
-    let slots = [0x1C12, 0x1C13].map(|index| derived::room(made, index));
-    let managers = transport::sync_managers(&device.sync_managers, [&rx, &tx], &followers, slots, report);
-    transport::fmmus(&device.fmmus, &managers, report);
-    let has = |role: &str| managers.iter().any(|block| block.key.as_deref() == Some(role));
-    let mailbox = device.mailbox.as_ref();
-    let basis = derived::Basis {
-        rx: &rx,
-        tx: &tx,
-        assigns: mailbox.is_some_and(|mailbox| mailbox.pdo_assign),
-        maps: mailbox.is_some_and(|mailbox| mailbox.pdo_config),
-        managers: ["outputs", "inputs"].map(has),
-    };
-    draft.objects.extend(made.iter().filter_map(|object| derived::block(object, &basis, report)));
-    draft.device.extend(mailbox.and_then(|mailbox| transport::mailbox(mailbox, report)));
+    let slots = |number: u8| derived::room(made, 0x1C10 + u16::from(number));
+    let managers = sync_managers::blocks(basis.managers, [rx, tx], &followers, slots, report);
+    sync_managers::fmmus(&device.fmmus, basis.managers, report);
+    draft.objects.extend(made.iter().filter_map(|object| derived::block(object, basis, report)));
+    draft.device.extend(mailbox::mailbox(device, report));
+    draft.device.extend(mailbox::timeouts(&device.timeouts, report));
     draft.device.extend(managers);
+}
+
+/// What the sync units of the PDOs are called, by number. A file need not name them, nor list them.
+fn sync_units(device: &Device, basis: &Basis<'_>, report: &mut Report) -> Vec<String> {
+    let pdos = || basis.rx.iter().chain(basis.tx);
+    let used = pdos().filter_map(|pdo| pdo.su).max().map_or(0, |last| usize::from(last) + 1);
+    let named = (0..used.max(device.sync_units.len())).map(|number| {
+        let name = device.sync_units.get(number).filter(|name| !name.is_empty());
+        let first = || pdos().find(|pdo| pdo.su.map(usize::from) == Some(number));
+        if let Some(pdo) = first().filter(|_| name.is_none()) {
+            let why = format!("it has none; `unit-{number}` is taken");
+            report.guess(pdo.at, "the name of a sync unit", why);
+        }
+        name.cloned().unwrap_or_else(|| format!("unit-{number}"))
+    });
+    named.collect()
 }

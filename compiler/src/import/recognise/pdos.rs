@@ -72,14 +72,22 @@ fn entry_facts(entry: &PdoEntry) -> usize {
     2 + said.into_iter().filter(|said| *said).count()
 }
 
-/// The table of a PDO. `all` are those of its direction, `room` is how many entries its mapping object has.
-pub(super) fn block(
-    pdo: &Pdo,
-    (way, all): (Way, &[&Pdo]),
-    references: &References,
-    room: usize,
-    report: &mut Report,
-) -> Block {
+/// What a PDO is seen with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surroundings<'s> {
+    pub(super) way: Way,
+    /// The PDOs of its direction.
+    pub(super) pdos: &'s [&'s Pdo],
+    pub(super) references: &'s References,
+    /// The names of the sync units, by number.
+    pub(super) units: &'s [String],
+    /// How many entries its mapping object has.
+    pub(super) room: usize,
+}
+
+/// The table of a PDO.
+pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Report) -> Block {
+    let Surroundings { way, references, units, room, .. } = *surroundings;
     let mut keys = Keys::new();
     let key = format!("0x{:04X}", pdo.index);
     let mut remarks = Vec::new();
@@ -96,34 +104,39 @@ pub(super) fn block(
     if !pdo.fixed {
         set(&mut keys, "fixed", Toml::Bool(false));
     }
-    if !pdo.fixed && room > pdo.entries.len() {
+    if room > pdo.entries.len() || !pdo.fixed && room > 0 {
         set(&mut keys, "max-entries", Toml::Integer(room.min(254) as i128));
     }
     if pdo.mandatory {
         set(&mut keys, "mandatory", Toml::Bool(true));
     }
+    if let Some(unit) = pdo.su.and_then(|number| units.get(usize::from(number))) {
+        set(&mut keys, "sync-unit", Toml::text(unit));
+    }
     let entries: Vec<Toml> = pdo.entries.iter().map(|entry| mapped(entry, references, report)).collect();
     if !entries.is_empty() {
         set(&mut keys, "entries", Toml::List(entries));
     }
-    let mut excludes: Vec<String> = Vec::new();
-    for (index, at) in &pdo.excludes {
-        let text = format!("0x{index:04X}");
-        if *index == pdo.index || !all.iter().any(|other| other.index == *index) {
-            report.lose(
-                *at,
-                1,
-                format!("Exclude {text} of {} {key}", way.element()),
-                "it names no other PDO of the direction",
-            );
-        } else if !excludes.contains(&text) {
-            excludes.push(text);
-        }
-    }
+    let excludes = excludes(pdo, surroundings, report);
     if !excludes.is_empty() {
         set(&mut keys, "excludes", Toml::texts(excludes));
     }
     Block { remarks, ..Block::new(way.section(), Some(key), keys) }
+}
+
+/// The PDOs that it cannot be assigned together with.
+fn excludes(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Report) -> Vec<String> {
+    let mut excludes: Vec<String> = Vec::new();
+    for (index, at) in &pdo.excludes {
+        let text = format!("0x{index:04X}");
+        if *index == pdo.index || !surroundings.pdos.iter().any(|other| other.index == *index) {
+            let what = format!("Exclude {text} of {} 0x{:04X}", surroundings.way.element(), pdo.index);
+            report.lose(*at, 1, what, "it names no other PDO of the direction");
+        } else if !excludes.contains(&text) {
+            excludes.push(text);
+        }
+    }
+    excludes
 }
 
 /// An entry of a PDO: a word, or a table where the word is not all.
@@ -136,11 +149,8 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
     }
     let address = format!("0x{:04X}:{:02X}", entry.index, entry.subindex);
     let Some(target) = references.get(entry.index, entry.subindex) else {
-        if entry.data_type.is_some() {
-            let why = "it is not in the dictionary, and what is mapped only has a width";
-            report.lose(entry.at, 1, "the data type of a mapped entry", why);
-        }
-        let keys = [("entry".to_owned(), Toml::text(address)), bits()];
+        let width = own_type(entry, report).map_or_else(bits, |it| ("type".to_owned(), Toml::text(it)));
+        let keys = [("entry".to_owned(), Toml::text(address)), width];
         return Toml::Table(keys.into_iter().chain(entry.name.as_ref().map(named)).collect());
     };
     let same_type = entry.data_type.as_deref().is_none_or(|name| {
@@ -158,6 +168,19 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
     let other = |name: &&String| target.name.as_ref().is_none_or(|known| !words::alike(known, name));
     keys.extend(entry.name.as_ref().filter(other).map(named));
     if keys.len() > 1 { Toml::Table(keys) } else { Toml::text(&target.text) }
+}
+
+/// The type of what is not in the dictionary, if the language has it.
+fn own_type(entry: &PdoEntry, report: &mut Report) -> Option<String> {
+    let written = entry.data_type.as_deref()?;
+    match data_type(written, Some(entry.bits.into())) {
+        Some((found, false)) => Some(found.to_string()),
+        _ => {
+            let why = format!("descriptions have no `{written}` of {} bits", entry.bits);
+            report.lose(entry.at, 1, "the data type of a mapped entry", why);
+            None
+        }
+    }
 }
 
 /// Whether the name of a padding says no more than that.

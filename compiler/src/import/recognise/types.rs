@@ -15,6 +15,11 @@ pub(super) fn data_type(name: &str, bits: Option<u32>) -> Option<(DataType, bool
             let whole = DataType::Text(bytes);
             Some((whole, named != Some(whole) && named != Some(DataType::Text(0))))
         }
+        (Some(DataType::Octets(_)), Some(bits)) => {
+            let bytes = u16::try_from(bits / 8).ok().filter(|bytes| *bytes > 0 && bits.is_multiple_of(8))?;
+            Some((DataType::Octets(bytes), named != Some(DataType::Octets(bytes))))
+        }
+        (Some(DataType::Octets(0)), None) => None,
         (Some(DataType::Text(0)), None) => Some((DataType::Text(1), false)),
         (Some(named), None) => Some((named, false)),
         (Some(named), Some(bits)) if named.bits() == bits => Some((named, is_stand_in(name))),
@@ -54,6 +59,19 @@ fn is_stand_in(name: &str) -> bool {
     name.trim().to_ascii_uppercase().starts_with("BITARR")
 }
 
+/// `ARRAY [0..15] OF BYTE` and `OCTET_STRING(16)`.
+fn octets(name: &str) -> Option<DataType> {
+    let array = name.strip_prefix("ARRAY").and_then(|rest| {
+        let (range, kind) = rest.trim().strip_prefix('[')?.split_once(']')?;
+        let (first, last) = range.split_once("..")?;
+        let (first, last): (i32, i32) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
+        let is_bytes = kind.split_whitespace().eq(["OF", "BYTE"]);
+        u16::try_from(last.checked_sub(first)?.checked_add(1)?).ok().filter(|_| is_bytes)
+    });
+    let string = || name.strip_prefix("OCTET_STRING(")?.strip_suffix(')')?.trim().parse().ok();
+    array.or_else(string).map(DataType::Octets)
+}
+
 fn named(name: &str) -> Option<DataType> {
     let name = name.trim().to_ascii_uppercase();
     let number = |prefix: &str| name.strip_prefix(prefix).and_then(|rest| rest.parse::<u8>().ok());
@@ -85,5 +103,5 @@ fn named(name: &str) -> Option<DataType> {
             .and_then(|it| it.trim().parse().ok())
             .map(DataType::Text)
     };
-    basic.or_else(bits).or_else(int).or_else(uint).or_else(text)
+    basic.or_else(bits).or_else(int).or_else(uint).or_else(text).or_else(|| octets(&name))
 }

@@ -89,6 +89,8 @@ fn flags(value: &Value, at: &str, keys: &mut Keys, report: &mut Report) {
     if let Some(category) = flags.category.as_deref().and_then(words::category_of) {
         set(keys, "category", Toml::text(words::category(category)));
     }
+    set(keys, "backup", Toml::Bool(flags.backup));
+    set(keys, "setting", Toml::Bool(flags.setting));
     match flags.write_restrictions.as_deref().map(|text| (text, words::window_of(text))) {
         Some((_, Some(window))) => set(keys, "written", Toml::text(words::window(window))),
         Some((text, None)) => {

@@ -1,0 +1,161 @@
+//! Sync managers and mapping units.
+
+use std::collections::BTreeSet;
+
+use super::super::read::{Fmmu, Pdo, Sm};
+use super::super::report::Report;
+use super::super::toml::{Keys, Toml, set};
+use super::draft::Block;
+use crate::model::Role;
+
+/// A sync manager with what it is for.
+#[derive(Debug)]
+pub(super) struct Manager<'m> {
+    /// Its place among the sync managers.
+    pub(super) number: u8,
+    pub(super) role: Role,
+    /// The word for it.
+    key: String,
+    manager: &'m Sm,
+}
+
+/// The sync managers in the order of the file, each with a word of its own.
+pub(super) fn managers<'m>(managers: &'m [Sm], report: &mut Report) -> Vec<Manager<'m>> {
+    let mut named: Vec<Manager<'m>> = Vec::new();
+    for (number, manager) in (0..=u8::MAX).zip(managers) {
+        let role = role(manager, number, report);
+        let before = named.iter().filter(|other| other.role == role).count();
+        let key = if before == 0 { role.key().to_owned() } else { format!("{}-{}", role.key(), before + 1) };
+        named.push(Manager { number, role, key, manager });
+    }
+    named
+}
+
+/// The role by its name; without a usual one by the direction and the buffers of the control byte, else by its place.
+fn role(manager: &Sm, number: u8, report: &mut Report) -> Role {
+    let key = |role: &Role| role.key().replace("mailbox-", "mbox");
+    let name = manager.name.to_ascii_lowercase();
+    if let Some(role) = Role::ALL.into_iter().find(|role| key(role) == name) {
+        return role;
+    }
+    let by_control = manager.control.and_then(|control| {
+        let place = usize::from(control & 0b11 == 0) * 2 + usize::from(control & 0b1100 == 0);
+        Role::ALL.get(place).copied()
+    });
+    let by_place = Role::ALL.get(usize::from(number.min(3))).copied().unwrap_or(Role::Inputs);
+    let role = by_control.unwrap_or(by_place);
+    let what = format!("the role {} of a sync manager", role.key());
+    let from = if by_control.is_some() { "its control byte tells it" } else { "its place tells it" };
+    if name.is_empty() {
+        report.guess(manager.at, what, format!("it has none; {from}"));
+    } else {
+        report.guess(manager.at, what, format!("it is called `{}`; {from}", manager.name));
+        let why = "descriptions call sync managers by their roles";
+        report.lose(manager.at, 1, format!("the name of Sm {number}"), why);
+    }
+    role
+}
+
+/// The PDOs that a sync manager carries at start-up, in the order of the file.
+pub(super) fn carried<'p>(manager: &Manager<'_>, [rx, tx]: [&[&'p Pdo]; 2]) -> Vec<&'p Pdo> {
+    let carried = match manager.role {
+        Role::Outputs => rx,
+        Role::Inputs => tx,
+        Role::MailboxOut | Role::MailboxIn => &[],
+    };
+    carried.iter().copied().filter(|pdo| pdo.sm == Some(manager.number)).collect()
+}
+
+/// The tables of the sync managers. `followers` are PDOs that come with that of the first axis, and `slots` says how many
+/// PDOs an assignment object has room for.
+pub(super) fn blocks(
+    managers: &[Manager<'_>],
+    pdos: [&[&Pdo]; 2],
+    followers: &BTreeSet<u16>,
+    slots: impl Fn(u8) -> usize,
+    report: &mut Report,
+) -> Vec<Block> {
+    let is_usual = managers.is_sorted_by_key(|manager| manager.role);
+    let mut blocks = Vec::new();
+    let mut assigned = BTreeSet::new();
+    for manager in managers {
+        let carried = carried(manager, pdos);
+        assigned.extend(carried.iter().map(|pdo| pdo.index));
+        let mut keys = keys(manager, is_usual, &carried, report);
+        let named = carried.iter().filter(|pdo| !followers.contains(&pdo.index));
+        let named: Vec<String> = named.map(|pdo| format!("0x{:04X}", pdo.index)).collect();
+        if !named.is_empty() {
+            set(&mut keys, "pdos", Toml::texts(named));
+        }
+        let room = slots(manager.number);
+        if manager.role.is_process_data() && room > carried.len() {
+            set(&mut keys, "slots", Toml::Integer(room.min(255) as i128));
+        }
+        blocks.push(Block::new("sync-managers", Some(manager.key.clone()), keys));
+    }
+    for pdo in pdos.into_iter().flatten().filter(|pdo| !assigned.contains(&pdo.index)) {
+        if let Some(number) = pdo.sm {
+            let why = format!("sync manager {number} does not carry its direction");
+            report.lose(pdo.at, 1, format!("Sm of PDO 0x{:04X}", pdo.index), why);
+        }
+    }
+    blocks
+}
+
+/// All that a sync manager says but for its PDOs.
+fn keys(manager: &Manager<'_>, is_usual: bool, carried: &[&Pdo], report: &mut Report) -> Keys {
+    let Manager { number, role, key, manager } = manager;
+    let mut keys = Keys::new();
+    if key != role.key() {
+        set(&mut keys, "role", Toml::text(role.key()));
+    }
+    if !is_usual {
+        set(&mut keys, "number", Toml::Integer((*number).into()));
+    }
+    let address = manager.address.unwrap_or_else(|| {
+        report.guess(manager.at, format!("the address of {key}"), "the file has none; 0x1000 is taken");
+        0x1000
+    });
+    set(&mut keys, "address", Toml::Hex(address.into(), 4));
+    let bits: u32 = carried.iter().flat_map(|pdo| &pdo.entries).map(|entry| u32::from(entry.bits)).sum();
+    let image = bits.div_ceil(8);
+    let is_own = |size: &u16| !role.is_process_data() || u32::from(*size) != image;
+    let sizes = [
+        ("size", manager.default_size.filter(is_own)),
+        ("min-size", manager.min_size),
+        ("max-size", manager.max_size),
+    ];
+    for (name, size) in sizes.into_iter().filter_map(|(name, size)| Some((name, size?))) {
+        set(&mut keys, name, Toml::Integer(size.into()));
+    }
+    if let Some(control) = manager.control.filter(|control| *control != role.usual_control()) {
+        set(&mut keys, "control", Toml::Hex(control.into(), 2));
+    }
+    let size = manager.default_size.map_or(image, u32::from);
+    if let Some(enable) = manager.enable.filter(|enable| *enable != (size > 0)) {
+        set(&mut keys, "enable", Toml::Bool(enable));
+    }
+    if manager.op_only {
+        set(&mut keys, "op-only", Toml::Bool(true));
+    }
+    keys
+}
+
+/// Reports mapping units that are not those that follow from the sync managers, in their usual order.
+pub(super) fn fmmus(fmmus: &[Fmmu], managers: &[Manager<'_>], report: &mut Report) {
+    let usual = [(Role::Outputs, "outputs"), (Role::Inputs, "inputs"), (Role::MailboxIn, "mboxstate")];
+    let mut made = usual.into_iter().flat_map(|(role, name)| {
+        managers.iter().filter(move |it| it.role == role).map(move |it| (name, it.number))
+    });
+    for Fmmu { at, name, sm } in fmmus {
+        let unit = made.by_ref().find(|(made, _)| name.eq_ignore_ascii_case(made));
+        let other = |number: u8| sm.is_some_and(|sm| sm != number);
+        let facts = match unit {
+            None => usize::from(!name.is_empty()) + usize::from(sm.is_some()),
+            Some((_, number)) => usize::from(other(number)),
+        };
+        if facts > 0 {
+            report.lose(*at, facts, format!("Fmmu `{name}`"), "mapping units follow from the sync managers");
+        }
+    }
+}
