@@ -1,12 +1,10 @@
 //! `devc schema`
 
 use clap::Args;
+use devc::reference::SCHEMA;
 
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
-
-/// The schema of descriptions, as the tests hold it to the code.
-const SCHEMA: &str = include_str!("../../schema/device.schema.json");
 
 /// Print the JSON schema of descriptions, for editors.
 ///

@@ -1,0 +1,36 @@
+//! Compilation beside the answers, so that nobody waits for it.
+
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender};
+
+use devc::Compilation;
+
+use super::overlay::Overlay;
+use super::server::Event;
+
+/// A description to compile.
+pub(super) struct Job {
+    pub(super) main: PathBuf,
+    pub(super) overlay: Overlay,
+}
+
+/// What came of it.
+pub(super) struct Compiled {
+    pub(super) main: PathBuf,
+    pub(super) compilation: Compilation,
+}
+
+impl Job {
+    pub(super) fn run(self) -> Compiled {
+        Compiled { compilation: devc::compile(&self.overlay, &self.main), main: self.main }
+    }
+}
+
+/// Does one job after the other, until there will be no more.
+pub(super) fn work(jobs: &Receiver<Job>, events: &Sender<Event>) {
+    for job in jobs {
+        if events.send(Event::Compiled(Box::new(job.run()))).is_err() {
+            return;
+        }
+    }
+}
