@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use super::Knowledge;
-use super::relation::{Names, names};
 use super::spot::plain;
 use super::thing::{Thing, of};
 use crate::model::Section;
 use crate::profiles;
 use crate::reference::Shape;
+use crate::reference::relation::{Names, names};
 use crate::rules;
 use crate::source::Member;
 use crate::written::{Cursor, Slot, word};

@@ -1,10 +1,10 @@
 //! Where something is defined.
 
 use super::Knowledge;
-use super::relation::{Names, names};
 use super::spot::Spot;
 use super::thing::of;
 use crate::model::Section;
+use crate::reference::relation::{Names, names};
 use crate::source::Location;
 
 /// Where to go.

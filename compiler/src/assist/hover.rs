@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use super::Knowledge;
-use super::relation::{Names, names};
 use super::spot::Spot;
 use super::thing::Thing;
 use crate::explain::{explain, explain_thing};
 use crate::model::Section;
 use crate::reference::Shape;
+use crate::reference::relation::{Names, names};
 use crate::source::keys::number;
 use crate::source::{Layer, Member};
 

@@ -6,7 +6,6 @@
 mod complete;
 mod define;
 mod hover;
-mod relation;
 mod rename;
 mod spot;
 mod symbols;

@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use super::Knowledge;
-use super::relation::{Names, names};
 use super::spot::{Spot, all};
 use crate::model::{Section, Shape};
+use crate::reference::relation::{Names, names};
 use crate::source::keys::number;
 
 /// The edits of one file: what to replace, in bytes, with what.

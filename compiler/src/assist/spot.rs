@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::written::{Item, Key, Kind, Value, Written};
+use crate::written::{Headed, Item, Key, Kind, Value, Written};
 
 /// A key or a string.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,7 +19,9 @@ impl Spot {
     /// The spot at a byte, or just before it.
     pub(super) fn at(text: &str, offset: usize) -> Option<Self> {
         let mut found = None;
-        all(text, &mut |spot| {
+        let written = Written::read(text);
+        let table = written.tables.iter().rev().find(|table| table.header.start <= offset)?;
+        tell_table(table, &mut |spot| {
             if (spot.at.start..=spot.at.end).contains(&offset) {
                 found = Some(spot);
             }
@@ -44,11 +46,13 @@ pub(super) fn plain(path: &[String]) -> Vec<&str> {
 
 /// Tells each key and each string of a text, in order.
 pub(super) fn all(text: &str, tell: &mut dyn FnMut(Spot)) {
-    for table in Written::read(text).tables {
-        let mut path = Vec::new();
-        keys(&table.path, &mut path, tell);
-        items(&table.items, &path, tell);
-    }
+    Written::read(text).tables.iter().for_each(|table| tell_table(table, tell));
+}
+
+fn tell_table(table: &Headed, tell: &mut dyn FnMut(Spot)) {
+    let mut path = Vec::new();
+    keys(&table.path, &mut path, tell);
+    items(&table.items, &path, tell);
 }
 
 fn keys(keys: &[Key], path: &mut Vec<String>, tell: &mut dyn FnMut(Spot)) {

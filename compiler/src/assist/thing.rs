@@ -1,8 +1,8 @@
 //! Things that can be named.
 
 use super::Knowledge;
-use super::relation::Names;
 use crate::model::{Section, ids};
+use crate::reference::relation::Names;
 use crate::source::{Member, Table, Value};
 
 /// A table of a section.

@@ -90,6 +90,10 @@ mod tests {
              [objects.0x6040]\n\n[errors]\n0x2310            = { name = \"E\" }\n\"0xFF00..=0xFFFF\" = { name = \"F\" }\n",
         );
         becomes(
+            "[rx-pdos.0x1600]\nname = \"0x1a\"\nentries = [\"0x60ff\", { entry = '0x60c1:0a' }, \"x\"]\n",
+            "[rx-pdos.0x1600]\nname    = \"0x1a\"\nentries = [\"0x60FF\", { entry = '0x60C1:0A' }, \"x\"]\n",
+        );
+        becomes(
             "[identity]\nvendor-id = 1901\nproduct-code = 0xab\nrevision = 1\n",
             "[identity]\nvendor-id    = 0x0000076D\nproduct-code = 0x000000AB\nrevision     = 1\n",
         );

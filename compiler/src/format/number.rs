@@ -38,6 +38,16 @@ pub(super) fn key(name: &str, is_index: bool) -> String {
     }
 }
 
+/// An index, with a subindex or a range of them behind it or not, as references are written; none if it is another word.
+pub(super) fn reference(text: &str) -> Option<String> {
+    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))?;
+    let (index, subindex) = digits.split_once(':').map_or((digits, None), |(index, sub)| (index, Some(sub)));
+    let index = u16::from_str_radix(index, 16).ok().filter(|_| !index.starts_with('+'))?;
+    let Some(subindex) = subindex else { return Some(format!("0x{index:04X}")) };
+    let is_plain = subindex.chars().all(|c| c.is_ascii_hexdigit() || matches!(c, '.' | '='));
+    is_plain.then(|| format!("0x{index:04X}:{}", subindex.to_uppercase()))
+}
+
 /// A key with quotes where it needs them; as it was written where they cannot be had without escapes.
 pub(super) fn quoted(name: &str, written: &str) -> String {
     let is_bare = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');

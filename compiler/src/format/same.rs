@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::number::reference;
 use crate::source::{CanonicalKey, Node, Table, Value};
 
 /// Whether two tables have the same keys with the same values, in whatever order and spelling.
@@ -23,6 +24,12 @@ fn same_node(one: &Node, other: &Node) -> bool {
         (Value::Array(one), Value::Array(other)) => {
             one.len() == other.len() && one.iter().zip(other.iter()).all(|(one, other)| same_node(one, other))
         }
+        (Value::String(one), Value::String(other)) => one == other || is_one_index(one, other),
         (one, other) => one == other,
     }
+}
+
+/// Whether two texts are one index in two spellings.
+fn is_one_index(one: &str, other: &str) -> bool {
+    reference(one).is_some_and(|index| Some(index) == reference(other))
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::{number, order};
 use crate::reference::Shape;
+use crate::reference::relation::{Names, names as names_of, within_device};
 use crate::written::{Item, Key, Kind, Value, names};
 
 /// Prints what stands in a table or under a key of a text.
@@ -56,7 +57,7 @@ impl<'t> Printer<'t> {
 
     fn value(&self, value: &Value, name: &str) -> String {
         match &value.kind {
-            Kind::Text(_) => self.written(&value.at).to_owned(),
+            Kind::Text(text) => self.text(text, self.written(&value.at)),
             Kind::Other if matches!(name, "vendor-id" | "product-code") => {
                 number::code(self.written(&value.at))
             }
@@ -69,6 +70,19 @@ impl<'t> Printer<'t> {
             }
             Kind::Table(items) => self.table(&value.at, items),
         }
+    }
+
+    /// A text as it is written, but for an index that names something.
+    fn text(&self, text: &str, written: &str) -> String {
+        let Some(index) = number::reference(text).filter(|index| index != text) else {
+            return written.to_owned();
+        };
+        let path: Vec<&str> = self.path.iter().map(String::as_str).collect();
+        let is_name = matches!(
+            names_of(within_device(&path)),
+            Some(Names::Objects | Names::Things(_) | Names::Siblings | Names::Places)
+        );
+        if is_name { written.replacen(text, &index, 1) } else { written.to_owned() }
     }
 
     fn table(&self, at: &Range<usize>, items: &[Item]) -> String {

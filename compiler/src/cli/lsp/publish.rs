@@ -38,6 +38,7 @@ pub(super) fn publish(
     server: &mut Server,
     main: &Path,
     compilation: &Compilation,
+    versions: &BTreeMap<PathBuf, i32>,
     marked: &mut BTreeSet<PathBuf>,
 ) {
     let mut texts = Texts { sources: &compilation.sources, made: BTreeMap::new() };
@@ -55,7 +56,7 @@ pub(super) fn publish(
     let gone: Vec<PathBuf> = marked.iter().filter(|file| !files.contains_key(*file)).cloned().collect();
     *marked = files.keys().cloned().collect();
     for (file, messages) in files.into_iter().chain(gone.into_iter().map(|file| (file, Vec::new()))) {
-        let version = server.open.get(&file).map(|open| open.version);
+        let version = versions.get(&file);
         let uri = server.uri(&file);
         let about = json!({ "uri": uri, "version": version, "diagnostics": messages });
         server.notify("textDocument/publishDiagnostics", about);

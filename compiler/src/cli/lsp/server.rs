@@ -215,7 +215,8 @@ impl Server {
         if let Some(description) = self.descriptions.get_mut(main) {
             description.stale = false;
         }
-        Job { main: main.to_owned(), overlay: self.overlay() }
+        let versions = self.open.iter().map(|(name, open)| (name.clone(), open.version)).collect();
+        Job { main: main.to_owned(), overlay: self.overlay(), versions }
     }
 
     /// Brings what is known of a description up to date, for an answer that has to be right.
@@ -227,13 +228,20 @@ impl Server {
     }
 
     fn learn(&mut self, compiled: Compiled) {
-        let Compiled { main, compilation } = compiled;
+        let Compiled { main, compilation, versions } = compiled;
         let Some(mut description) = self.descriptions.remove(&main) else { return };
         let is_whole = !compilation.diagnostics.iter().any(|it| it.rule.name == "invalid-toml");
         if is_whole || description.knowledge.is_none() {
             description.knowledge = Knowledge::of(&compilation).or(description.knowledge);
         }
-        publish::publish(self, &main, &compilation, &mut description.marked);
+        // a file may have become a part of the description since it was opened
+        let names = compilation.sources.iter().filter_map(|(id, _)| compilation.sources.name(id));
+        for name in names {
+            if let Some(open) = self.open.get_mut(name).filter(|open| open.main.is_none()) {
+                open.main = Some(main.clone());
+            }
+        }
+        publish::publish(self, &main, &compilation, &versions, &mut description.marked);
         description.compilation = Some(compilation);
         self.descriptions.insert(main, description);
     }

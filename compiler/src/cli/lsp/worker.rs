@@ -1,5 +1,6 @@
 //! Compilation beside the answers, so that nobody waits for it.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender};
 
@@ -12,17 +13,21 @@ use super::server::Event;
 pub(super) struct Job {
     pub(super) main: PathBuf,
     pub(super) overlay: Overlay,
+    /// The versions of the texts that are open.
+    pub(super) versions: BTreeMap<PathBuf, i32>,
 }
 
 /// What came of it.
 pub(super) struct Compiled {
     pub(super) main: PathBuf,
     pub(super) compilation: Compilation,
+    pub(super) versions: BTreeMap<PathBuf, i32>,
 }
 
 impl Job {
     pub(super) fn run(self) -> Compiled {
-        Compiled { compilation: devc::compile(&self.overlay, &self.main), main: self.main }
+        let compilation = devc::compile(&self.overlay, &self.main);
+        Compiled { compilation, main: self.main, versions: self.versions }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::model::Section;
 
 /// What a value names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Names {
+pub(crate) enum Names {
     /// An object, or an entry of one.
     Objects,
     /// A thing of one of these sections, by its key.
@@ -77,7 +77,7 @@ const RELATIONS: &[(&str, &str, Names)] = &[
 ];
 
 /// What the value at a path within a device names.
-pub(super) fn names(path: &[&str]) -> Option<Names> {
+pub(crate) fn names(path: &[&str]) -> Option<Names> {
     let (key, around) = path.split_last()?;
     let section = around.first().copied().unwrap_or_default();
     // what is mapped stands under the index of its PDO
@@ -86,4 +86,12 @@ pub(super) fn names(path: &[&str]) -> Option<Names> {
         *name == key && (*of == section || *of == "*" && !section.is_empty() || key == "source")
     };
     RELATIONS.iter().find(fits).map(|(_, _, names)| *names)
+}
+
+/// A path within a device, without the member of a family in front.
+pub(crate) fn within_device<'p, 'k>(path: &'p [&'k str]) -> &'p [&'k str] {
+    match path {
+        ["members", _, rest @ ..] => rest,
+        all => all,
+    }
 }

@@ -2,12 +2,14 @@
 //!
 //! It is read from the JSON schema, which is made of the structs that descriptions are read into.
 
+pub(crate) mod relation;
+
 use std::sync::OnceLock;
 
 use serde_json::{Map, Value};
 
 /// The schema of descriptions, as the tests hold it to the code.
-pub const SCHEMA: &str = include_str!("../schema/device.schema.json");
+pub const SCHEMA: &str = include_str!("../../schema/device.schema.json");
 
 /// What can stand at a place of a description.
 #[derive(Debug, Clone, Copy)]
