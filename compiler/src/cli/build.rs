@@ -25,7 +25,8 @@ use super::write::{Plan, make_folder};
 
 /// Make the outputs of descriptions.
 ///
-/// The outputs of a description are the files `<OUT>/<name>/<name>.*`, where the name is that of its folder.
+/// The outputs of a description are the files `<OUT>/<name>/<name>.*`, where the name is that of its folder; some outputs
+/// make a file of each member of a family, `<OUT>/<name>/<member>.*`.
 /// Each is written whole or not at all, and only if it changes. A file that devc did not make is never replaced, and
 /// none is removed. A description with errors keeps the outputs it has, and the others are made all the same.
 #[derive(Debug, Args)]
@@ -38,8 +39,8 @@ pub(super) struct Build {
     #[arg(long, short, value_name = "DIR", default_value = "generated")]
     out: PathBuf,
 
-    /// The outputs to make, separated by commas [default: all].
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = emitters())]
+    /// The outputs to make, separated by commas: names, `default` for what is made of itself, or `all`.
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT, value_parser = emitters())]
     emit: Vec<String>,
 
     /// Leave out of the reference how sure facts are: errata, remarks, assumptions and marks.
@@ -65,10 +66,19 @@ pub(super) struct Build {
     watch: bool,
 }
 
-/// The names of all outputs, with what they are.
+/// The word for the outputs that are made of themselves, and that for every one.
+const DEFAULT: &str = "default";
+const ALL: &str = "all";
+
+/// The names of all outputs, with what they are, and the words for several of them.
 fn emitters() -> PossibleValuesParser {
-    let values = emit::ALL.iter().map(|emitter| PossibleValue::new(emitter.name()).help(emitter.summary()));
-    PossibleValuesParser::new(values)
+    let named = |emitter: &&dyn Emitter| PossibleValue::new(emitter.name()).help(emitter.summary());
+    let of_itself: Vec<_> = emit::ALL.iter().filter(|it| it.is_default()).map(|it| it.name()).collect();
+    let groups = [
+        PossibleValue::new(DEFAULT).help(of_itself.join(", ")),
+        PossibleValue::new(ALL).help("every output that there is"),
+    ];
+    PossibleValuesParser::new(emit::ALL.iter().map(named).chain(groups))
 }
 
 /// What was made of a description, before anything of it is said or written.
@@ -125,7 +135,11 @@ impl Build {
 
     fn emit(&self, family: &Checked<Family>, timings: &mut Timings, workers: Workers) -> Files {
         let wanted = |emitter: &&&dyn Emitter| {
-            self.emit.is_empty() || self.emit.iter().any(|name| name == emitter.name())
+            self.emit.iter().any(|name| match name.as_str() {
+                DEFAULT => emitter.is_default(),
+                ALL => true,
+                name => name == emitter.name(),
+            })
         };
         // the last takes longest, so it is begun first
         let emitters: Vec<&dyn Emitter> = emit::ALL.iter().rev().filter(wanted).copied().collect();

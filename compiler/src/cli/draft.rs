@@ -18,13 +18,17 @@ pub(super) struct Draft {
 }
 
 impl Draft {
-    /// Writes the text that the target is to have, with the rights and, if it can be, the owner of what is there.
-    pub(super) fn write(place: &Workplace, target: &Path, text: &str) -> Result<Self, Failure> {
+    /// Writes what the target is to have, with the rights and, if it can be, the owner of what is there.
+    pub(super) fn write(
+        place: &Workplace,
+        target: &Path,
+        content: impl AsRef<[u8]>,
+    ) -> Result<Self, Failure> {
         let failure = |error| Failure::at("write", target, &error);
         let old = fs::symlink_metadata(target).ok();
         let (path, mut file) = create(&place.folder, old.as_ref()).map_err(failure)?;
         let draft = Self { path, target: target.to_owned(), published: false };
-        file.write_all(text.as_bytes()).map_err(failure)?;
+        file.write_all(content.as_ref()).map_err(failure)?;
         if let Some(old) = old {
             #[cfg(unix)]
             let _ = fchown(&file, Some(old.uid()), Some(old.gid()));
@@ -53,11 +57,6 @@ impl Draft {
         fs::rename(&self.path, &self.target).map_err(|error| Failure::at("write", &self.target, &error))?;
         self.published = true;
         Ok(())
-    }
-
-    /// Where the text is to go.
-    pub(super) fn target(&self) -> &Path {
-        &self.target
     }
 }
 

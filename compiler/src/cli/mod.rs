@@ -28,6 +28,7 @@ mod paths;
 mod report;
 mod rules;
 mod schema;
+mod sums;
 mod timings;
 mod watch;
 mod workers;

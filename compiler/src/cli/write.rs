@@ -1,7 +1,7 @@
 //! Outputs on disk: compared first, then written whole or not at all.
 //!
-//! devc writes the files `<out>/<id>/<id>.<ext>` and nothing else, and replaces only what it made itself. New texts go
-//! to drafts in the output folder; once all are there, they are renamed, so that a full disk leaves the old outputs as
+//! devc writes the outputs into the folder `<out>/<id>` and nothing else, and replaces only what it made itself. New files
+//! go to drafts in the output folder; once all are there, they are renamed, so that a full disk leaves the old outputs as
 //! they were.
 
 use std::collections::BTreeMap;
@@ -16,6 +16,7 @@ use super::existing;
 use super::names::portable;
 use super::outcome::Failure;
 use super::report::number;
+use super::sums::{self, Sums};
 use super::workplace::Workplace;
 
 /// What has to be done so that a device's folder holds its outputs.
@@ -23,6 +24,7 @@ use super::workplace::Workplace;
 pub(super) struct Plan<'a> {
     out: &'a Path,
     folder: PathBuf,
+    sums: Sums,
     changes: BTreeMap<String, Change<'a>>,
     unchanged: usize,
 }
@@ -30,20 +32,21 @@ pub(super) struct Plan<'a> {
 #[derive(Debug)]
 enum Change<'a> {
     /// There is no such file yet.
-    Create(&'a str),
+    Create(&'a [u8]),
     /// The file says something else from this line on.
-    Replace(&'a str, usize),
+    Replace(&'a [u8], usize),
 }
 
 impl<'a> Plan<'a> {
     /// Compares a device's outputs with what lies in its folder.
-    pub(super) fn new(out: &'a Path, id: &str, files: &'a Files) -> Result<Self, Failure> {
+    pub(super) fn new(out: &'a Path, id: &str, files: &'a mut Files) -> Result<Self, Failure> {
         let folder = out.join(portable(id)?);
-        let mut plan = Plan { out, folder, changes: BTreeMap::new(), unchanged: 0 };
+        let mut plan = Plan { out, folder, sums: Sums::default(), changes: BTreeMap::new(), unchanged: 0 };
         plan.stay_inside()?;
-        for (path, text) in &files.0 {
-            let name = path.strip_prefix(id).and_then(|rest| rest.strip_prefix('/')).unwrap_or(path);
-            match compare(&plan.folder.join(portable(name)?), text)? {
+        plan.sums = Sums::read(&plan.folder, id)?;
+        plan.sums.add(files, id);
+        for (name, bytes) in &files.0 {
+            match plan.compare(portable(name)?, bytes)? {
                 None => plan.unchanged += 1,
                 Some(change) => _ = plan.changes.insert(name.to_owned(), change),
             }
@@ -86,19 +89,38 @@ impl<'a> Plan<'a> {
     /// Brings the folder up to date.
     pub(super) fn carry_out(&self, place: &Workplace) -> Result<(), Failure> {
         let mut drafts = Vec::new();
-        for (name, Change::Create(text) | Change::Replace(text, _)) in &self.changes {
-            drafts.push((Draft::write(place, &self.folder.join(name), text)?, text));
+        for (name, Change::Create(bytes) | Change::Replace(bytes, _)) in &self.changes {
+            drafts.push((Draft::write(place, &self.folder.join(name), bytes)?, name, bytes));
         }
+        // the sums last: up to then the old ones answer for the old files
+        drafts.sort_by_key(|(_, name, _)| sums::are_in(name));
         if !drafts.is_empty() {
             make_folder(&self.folder)?;
             self.stay_inside()?;
         }
-        for (draft, text) in drafts {
+        for (draft, name, bytes) in drafts {
             // Somebody may have put a file of theirs there meanwhile.
-            compare(draft.target(), text)?;
+            self.compare(name, bytes)?;
             draft.publish()?;
         }
         Ok(())
+    }
+
+    /// What has to be done so that the file has these bytes, if anything; only what devc made may be replaced.
+    fn compare<'t>(&self, name: &str, bytes: &'t [u8]) -> Result<Option<Change<'t>>, Failure> {
+        let path = &self.folder.join(name);
+        match existing::read(path, bytes.len().saturating_add(1))? {
+            None => Ok(Some(Change::Create(bytes))),
+            Some(old) if old == bytes => Ok(None),
+            Some(old) if existing::is_made_by_devc(&old) || self.sums.has(name, &old) => {
+                existing::be_writable(path)?;
+                Ok(Some(Change::Replace(bytes, first_difference(&old, bytes))))
+            }
+            Some(_) => {
+                let what = format!("`{}` was not made by devc, so it is not replaced", path.display());
+                Err(Failure::new(what).help("move it away, or name another folder with `--out`"))
+            }
+        }
     }
 
     /// Sees to it that no link leads out of the output folder.
@@ -116,22 +138,6 @@ impl<'a> Plan<'a> {
         let what =
             format!("`{}` is a link that leads out of `{}`", self.folder.display(), self.out.display());
         Err(Failure::new(what).help("remove the link, or name the folder it leads to with `--out`"))
-    }
-}
-
-/// What has to be done so that the file has this text, if anything; only what devc made may be replaced.
-fn compare<'t>(path: &Path, text: &'t str) -> Result<Option<Change<'t>>, Failure> {
-    match existing::read(path, text.len().saturating_add(1))? {
-        None => Ok(Some(Change::Create(text))),
-        Some(old) if old == text.as_bytes() => Ok(None),
-        Some(old) if existing::is_made_by_devc(&old) => {
-            existing::be_writable(path)?;
-            Ok(Some(Change::Replace(text, first_difference(&old, text.as_bytes()))))
-        }
-        Some(_) => {
-            let what = format!("`{}` was not made by devc, so it is not replaced", path.display());
-            Err(Failure::new(what).help("move it away, or name another folder with `--out`"))
-        }
     }
 }
 

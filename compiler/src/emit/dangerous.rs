@@ -11,7 +11,7 @@ use std::sync::{Arc, LazyLock};
 use proc_macro2::{TokenStream, TokenTree};
 use quick_xml::events::Event;
 
-use super::{ALL, Options};
+use super::{ALL, Options, emit};
 use crate::diagnostic::{Diagnostic, Diagnostics, Level};
 use crate::lint::{Checked, Levels, check};
 use crate::model::Family;
@@ -145,9 +145,12 @@ fn outputs(with: &str) -> Vec<(String, String)> {
         let document = Document { root: exchanged(&document.root, with), ..document.clone() };
         let family = family(&document, sources, &format!("{name} {with}"));
         let family = family.unwrap_or_else(|it| panic!("{name}: {:?}", it.iter().next()));
-        ALL.iter()
-            .map(|it| (format!("{name}.{}", it.name()), it.emit(&family, &Options::default())))
-            .collect::<Vec<_>>()
+        let files = emit(&family, ALL, &Options::default()).0;
+        let texts = files.into_iter().filter_map(|(file, bytes)| {
+            let (_, end) = file.rsplit_once('.')?;
+            Some((format!("{name}.{end}"), String::from_utf8(bytes).ok()?))
+        });
+        texts.collect::<Vec<_>>()
     });
     made.collect()
 }

@@ -1,6 +1,6 @@
 //! The outputs: one folder each, one line each in [`ALL`].
 //!
-//! An emitter gets a checked family and makes files of it. It cannot fail: what an output cannot express
+//! An emitter gets a checked family and makes files of it, one for the family or one a member. It cannot fail: what an output cannot express
 //! is a rule, and was reported before.
 
 #[cfg(all(test, feature = "cli"))]
@@ -21,14 +21,21 @@ use crate::model::Family;
 
 /// An output.
 pub trait Emitter: Sync {
-    /// The name for `--emit`, and the extension of its file.
+    /// The name for `--emit`.
     fn name(&self) -> &'static str;
 
     /// What it makes, in one line.
     fn summary(&self) -> &'static str;
 
-    /// The text of the file `<family>.<name>`.
-    fn emit(&self, family: &Checked<Family>, options: &Options) -> String;
+    /// How the names of its files end: `<family><end>`, or `<member><end>` where each member has one. No two outputs share
+    /// an end, so that they do not share a file.
+    fn ends(&self) -> &'static [&'static str];
+
+    /// Whether it is made where nobody says which outputs are wanted.
+    fn is_default(&self) -> bool;
+
+    /// Its files.
+    fn emit(&self, family: &Checked<Family>, options: &Options) -> Files;
 }
 
 /// What outputs can be made with or without.
@@ -57,16 +64,40 @@ pub static ALL: &[&dyn Emitter] = &[
     &rust::Rust,
 ];
 
-/// Files by name, relative to the output folder.
+/// Files by name, in the folder of the family.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Files(pub BTreeMap<String, String>);
+pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
-/// Makes the outputs of `emitters`: `<family>/<family>.<name>` each.
+impl Files {
+    /// One file.
+    pub fn one(name: String, content: impl Into<Vec<u8>>) -> Self {
+        Self([(name, content.into())].into())
+    }
+
+    /// The text of the first file whose name ends like this, if there is one and it is text.
+    pub fn text(&self, end: &str) -> Option<&str> {
+        let (_, content) = self.0.iter().find(|(name, _)| name.ends_with(end))?;
+        std::str::from_utf8(content).ok()
+    }
+}
+
+/// Makes the outputs of `emitters`.
 pub fn emit(family: &Checked<Family>, emitters: &[&dyn Emitter], options: &Options) -> Files {
-    let id = &family.id;
-    let files = emitters.iter().map(|emitter| {
-        let name = emitter.name();
-        (format!("{id}/{id}.{name}"), emitter.emit(family, options))
-    });
-    Files(files.collect())
+    Files(emitters.iter().flat_map(|emitter| emitter.emit(family, options).0).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ALL;
+
+    #[test]
+    fn no_two_outputs_share_a_file() {
+        let ends: Vec<&str> = ALL.iter().flat_map(|emitter| emitter.ends()).copied().collect();
+        for (at, end) in ends.iter().enumerate() {
+            assert!(end.starts_with('.'), "{end} is no end of a name");
+            let others = ends.iter().enumerate().filter(|(other, _)| *other != at);
+            let same: Vec<_> = others.filter(|(_, other)| other.ends_with(end)).collect();
+            assert!(same.is_empty(), "{end} is the end of {same:?} too");
+        }
+    }
 }

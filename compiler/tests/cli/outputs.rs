@@ -39,6 +39,18 @@ fn only_what_is_asked_for_is_made() {
 }
 
 #[test]
+fn outputs_are_named_one_by_one_or_together() {
+    let desk = Desk::sound();
+    desk.devc(&["build", "-o", "of-itself"]).ends(0, &[]);
+    desk.devc(&["build", "-o", "default", "--emit", "default"]).ends(0, &[]);
+    assert_eq!(desk.list("default/drive"), desk.list("of-itself/drive"));
+    desk.devc(&["build", "-o", "all", "--emit", "all"]).ends(0, &[]);
+    let all = desk.list("all/drive");
+    assert!(desk.list("default/drive").iter().all(|name| all.contains(name)), "{all:?}");
+    desk.devc(&["build", "--emit", "default,png"]).ends(2, &["png", "json", "default", "all"]);
+}
+
+#[test]
 fn what_does_not_change_is_not_written() {
     let desk = Desk::sound();
     desk.devc(&["build"]).ends(0, &["wrote"]);

@@ -72,7 +72,8 @@ fn meaning(files: &Files) -> (Vec<String>, Vec<String>) {
     (said, made)
 }
 
-fn words((name, text): (String, String)) -> Vec<String> {
+fn words((name, content): (String, Vec<u8>)) -> Vec<String> {
+    let text = String::from_utf8_lossy(&content).into_owned();
     if name.ends_with(".xml") {
         return vec![text];
     }

@@ -73,7 +73,8 @@ fn subject(loader: &dyn Loader, folder: &Path) -> Subject {
     let compilation = devc::compile(loader, folder);
     let messages: Vec<_> = compilation.diagnostics.iter().map(|it| it.message.as_str()).collect();
     let family = compilation.family.unwrap_or_else(|| panic!("{}: {messages:#?}", folder.display()));
-    let xml = Writer.emit(&family, &devc::emit::Options::default());
+    let files = Writer.emit(&family, &devc::emit::Options::default());
+    let xml = files.text(".xml").expect("an ESI").to_owned();
     let esi = esi_reader::read(&xml).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     Subject { family, xml, esi }
 }

@@ -43,8 +43,7 @@ fn outcome(description: &Table) -> Outcome {
     let model = compilation.family.as_ref().map(|family| {
         let json: &[&dyn Emitter] = &[&emit::json::Json];
         let files = emit::emit(family, json, &emit::Options::default());
-        let text = files.0.values().next().expect("one output").clone();
-        without_provenance(serde_json::from_str(&text).expect("it is JSON"))
+        without_provenance(serde_json::from_str(files.text(".json").expect("the model")).expect("it is JSON"))
     });
     Outcome { family: compilation.family.clone(), model, messages: messages(&compilation.diagnostics) }
 }

@@ -46,8 +46,8 @@ pub(crate) fn compiled(imported: &Imported) -> Result<(String, usize), String> {
     let messages: Vec<&String> = compilation.diagnostics.iter().map(|it| &it.message).collect();
     let warnings = messages.len();
     let Some(family) = compilation.family else { return Err(format!("does not compile: {messages:?}")) };
-    let emitter = emit::ALL.iter().find(|emitter| emitter.name() == "xml").expect("an emitter of ESI");
-    Ok((emitter.emit(&family, &Options::default()), warnings))
+    let files = emit::emit(&family, &[&emit::esi::Esi], &Options::default());
+    Ok((files.text(".xml").expect("an ESI").to_owned(), warnings))
 }
 
 /// Whether a fact is one of a mapping object.

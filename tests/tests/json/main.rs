@@ -22,7 +22,8 @@ fn outputs() -> Vec<(String, String)> {
     let texts = folders.iter().flat_map(|folder| {
         let compilation = devc::compile(&Disk, folder);
         let family = compilation.family.unwrap_or_else(|| panic!("{} compiles", folder.display()));
-        emit(&family, &[&Json as &dyn Emitter], &Options::default()).0
+        let files = emit(&family, &[&Json as &dyn Emitter], &Options::default());
+        files.0.into_iter().map(|(name, content)| (name, String::from_utf8(content).expect("text")))
     });
     texts.collect()
 }
@@ -79,7 +80,8 @@ fn the_schema_refuses_what_is_not_the_model() {
 #[test]
 fn each_list_of_the_model_is_in_the_output() {
     let family = devc::compile(&Disk, &root().join("devices/c887")).family.expect("it compiles");
-    let output = parse(&Json.emit(&family, &devc::emit::Options::default()));
+    let files = Json.emit(&family, &devc::emit::Options::default());
+    let output = parse(files.text(".json").expect("the model"));
     let device = family.members.first().expect("there is a device");
     let member = &output["members"][0];
     let length = |list: &str| member[list].as_array().map(Vec::len);

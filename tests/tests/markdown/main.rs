@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use devc::emit::Emitter;
 use devc::emit::markdown::Markdown;
+use devc::lint::Checked;
 use devc::model::Family;
 use devc::source::{Disk, Memory};
 
@@ -31,7 +32,7 @@ fn references() -> Vec<(Family, String)> {
     folders.sort();
     let compiled = folders.iter().map(|folder| {
         let family = devc::compile(&Disk, folder).family.unwrap_or_else(|| panic!("{}", folder.display()));
-        let text = Markdown.emit(&family, &devc::emit::Options::default());
+        let text = reference(&family);
         (Family::clone(&family), text)
     });
     compiled.collect()
@@ -40,6 +41,11 @@ fn references() -> Vec<(Family, String)> {
 /// What stands between `open` and `close`, each time.
 fn between<'a>(text: &'a str, open: &'a str, close: char) -> impl Iterator<Item = &'a str> {
     text.split(open).skip(1).filter_map(move |rest| rest.split(close).next())
+}
+
+fn reference(family: &Checked<Family>) -> String {
+    let files = Markdown.emit(family, &devc::emit::Options::default());
+    files.text(".md").expect("a reference").to_owned()
 }
 
 #[test]
@@ -127,8 +133,7 @@ fn what_is_empty_vanishes_with_its_line_of_the_contents() {
     let loader = Memory::new().with("/bare/device.toml", BARE);
     let compilation = devc::compile(&loader, Path::new("/bare"));
     let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
-    let text = Markdown
-        .emit(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")), &devc::emit::Options::default());
+    let text = reference(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")));
     let chapters: Vec<&str> = text.lines().filter(|line| line.starts_with("## ")).collect();
     assert!(chapters.contains(&"## <a id=\"device\"></a>Device"), "{text}");
     assert!(!text.contains("Modes of operation") && !text.contains("Errors"), "{text}");

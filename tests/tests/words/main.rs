@@ -70,7 +70,7 @@ fn outputs(description: &Table) -> Outputs {
     let files = emit::emit(family, emit::ALL, &Options::default()).0;
     let output = |(name, ending): &(&'static str, &str)| {
         let (_, text) = files.iter().find(|(file, _)| file.ends_with(ending)).expect("the output");
-        (*name, text.clone())
+        (*name, String::from_utf8(text.clone()).expect("text"))
     };
     OUTPUTS.iter().map(output).collect()
 }

@@ -8,12 +8,12 @@ use devc::diagnostic::{Diagnostic, Help};
 use serde_json::{Map, Value, json};
 
 use super::publish::bytes;
-use super::server::Server;
+use super::state::State;
 use super::text::Text;
 
 /// The edits that messages about a part of a file suggest, as long as the file is as they saw it.
 pub(super) fn actions(
-    server: &Server,
+    state: &State,
     file: &Path,
     part: &Range<usize>,
     compilation: &Compilation,
@@ -28,7 +28,7 @@ pub(super) fn actions(
     let here = compilation.diagnostics.iter().filter(is_here);
     let helps = here.flat_map(|diagnostic| diagnostic.helps.iter().map(move |help| (diagnostic, help)));
     let actions = helps.filter(|(_, help)| !help.edits.is_empty()).filter_map(|(diagnostic, help)| {
-        let edit = edit(server, help, compilation)?;
+        let edit = edit(state, help, compilation)?;
         Some(json!({
             "title": title(diagnostic, help),
             "kind": "quickfix",
@@ -44,16 +44,16 @@ fn title(diagnostic: &Diagnostic, help: &Help) -> String {
     format!("{text} ({})", diagnostic.rule.name)
 }
 
-fn edit(server: &Server, help: &Help, compilation: &Compilation) -> Option<Value> {
+fn edit(state: &State, help: &Help, compilation: &Compilation) -> Option<Value> {
     let mut changes: Map<String, Value> = Map::new();
     for edit in &help.edits {
         let name = compilation.sources.name(edit.at.file)?;
         let text = &compilation.sources.get(edit.at.file)?.text;
-        if server.open.get(name).is_some_and(|open| *open.text.text != **text) {
+        if state.open.get(name).is_some_and(|open| *open.text.text != **text) {
             return None;
         }
         let range = Text::new(text.as_str()).range(&bytes(edit.at));
-        let edits = changes.entry(server.uri(name)).or_insert_with(|| json!([]));
+        let edits = changes.entry(state.uri(name)).or_insert_with(|| json!([]));
         edits.as_array_mut()?.push(json!({ "range": range, "newText": edit.text }));
     }
     Some(json!({ "changes": changes }))

@@ -2,10 +2,12 @@
 
 mod action;
 mod answer;
+mod learn;
 mod overlay;
 mod profiles;
 mod publish;
 mod server;
+mod state;
 mod text;
 mod uri;
 mod worker;

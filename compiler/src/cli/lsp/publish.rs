@@ -8,7 +8,7 @@ use devc::diagnostic::{Diagnostic, Level};
 use devc::source::{FileId, Location, Sources};
 use serde_json::{Value, json};
 
-use super::server::Server;
+use super::state::State;
 use super::text::Text;
 
 /// The texts of a compilation as editors count in them, each made when it is first needed.
@@ -35,7 +35,7 @@ pub(super) fn bytes(at: Location) -> std::ops::Range<usize> {
 
 /// Sends the messages about each file, and for those that had messages before and have none now that there are none.
 pub(super) fn publish(
-    server: &mut Server,
+    state: &mut State,
     main: &Path,
     compilation: &Compilation,
     versions: &BTreeMap<PathBuf, i32>,
@@ -50,34 +50,29 @@ pub(super) fn publish(
             .map(|label| label.at)
             .find(|at| compilation.sources.name(at.file).is_some());
         let file = at.and_then(|at| compilation.sources.name(at.file)).unwrap_or(main);
-        let said = message(server, diagnostic, at, &mut texts);
+        let said = message(state, diagnostic, at, &mut texts);
         files.entry(file.to_owned()).or_default().push(said);
     }
     let gone: Vec<PathBuf> = marked.iter().filter(|file| !files.contains_key(*file)).cloned().collect();
     *marked = files.keys().cloned().collect();
     for (file, messages) in files.into_iter().chain(gone.into_iter().map(|file| (file, Vec::new()))) {
         let version = versions.get(&file);
-        let uri = server.uri(&file);
+        let uri = state.uri(&file);
         let about = json!({ "uri": uri, "version": version, "diagnostics": messages });
-        server.notify("textDocument/publishDiagnostics", about);
+        state.notify("textDocument/publishDiagnostics", about);
     }
 }
 
 /// Takes all messages back.
-pub(super) fn clear(server: &Server, marked: &BTreeSet<PathBuf>) {
+pub(super) fn clear(state: &State, marked: &BTreeSet<PathBuf>) {
     for file in marked {
-        let about = json!({ "uri": server.uri(file), "diagnostics": [] });
-        server.notify("textDocument/publishDiagnostics", about);
+        let about = json!({ "uri": state.uri(file), "diagnostics": [] });
+        state.notify("textDocument/publishDiagnostics", about);
     }
 }
 
 /// A message at a place; what it says of other places is related to it.
-fn message(
-    server: &mut Server,
-    diagnostic: &Diagnostic,
-    at: Option<Location>,
-    texts: &mut Texts<'_>,
-) -> Value {
+fn message(state: &mut State, diagnostic: &Diagnostic, at: Option<Location>, texts: &mut Texts<'_>) -> Value {
     let start = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 0, "character": 0 } });
     let mut related = Vec::new();
     let mut said = diagnostic.message.clone();
@@ -85,7 +80,7 @@ fn message(
         if Some(label.at) == at {
             let text = Some(&label.text).filter(|text| !text.is_empty());
             said.extend(text.map(|text| format!(": {text}")));
-        } else if let Some(uri) = place(server, texts.sources, label.at) {
+        } else if let Some(uri) = place(state, texts.sources, label.at) {
             let location = json!({ "uri": uri, "range": texts.range(label.at) });
             related.push(json!({ "location": location, "message": label.text }));
         }
@@ -103,11 +98,11 @@ fn message(
 }
 
 /// The address of the text that a place is in; a profile is written to a file for that.
-pub(super) fn place(server: &mut Server, sources: &Sources, at: Location) -> Option<String> {
+pub(super) fn place(state: &mut State, sources: &Sources, at: Location) -> Option<String> {
     if let Some(name) = sources.name(at.file) {
-        return Some(server.uri(name));
+        return Some(state.uri(name));
     }
     let file = sources.get(at.file).filter(|file| file.embedded)?;
     let name = file.path.strip_prefix("<profile ")?.strip_suffix('>')?;
-    server.profiles.file(name, &file.text).map(|path| super::uri::uri(&path))
+    state.profiles.file(name, &file.text).map(|path| super::uri::uri(&path))
 }

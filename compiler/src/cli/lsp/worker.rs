@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, Sender};
+use std::sync::mpsc::Receiver;
 
 use devc::Compilation;
 
 use super::overlay::Overlay;
-use super::server::Event;
 
 /// A description to compile.
 pub(super) struct Job {
@@ -31,11 +30,7 @@ impl Job {
     }
 }
 
-/// Does one job after the other, until there will be no more.
-pub(super) fn work(jobs: &Receiver<Job>, events: &Sender<Event>) {
-    for job in jobs {
-        if events.send(Event::Compiled(Box::new(job.run()))).is_err() {
-            return;
-        }
-    }
+/// Does one job after the other and tells what came of it, as long as there are jobs and somebody listens.
+pub(super) fn work(jobs: &Receiver<Job>, tell: impl Fn(Compiled) -> bool) {
+    let _ = jobs.iter().map(Job::run).all(tell);
 }

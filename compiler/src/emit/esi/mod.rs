@@ -26,7 +26,7 @@ mod types;
 mod vendor;
 
 use self::element::Element;
-use super::{Emitter, Options};
+use super::{Emitter, Files, Options};
 use crate::lint::Checked;
 use crate::model::Family;
 
@@ -46,8 +46,16 @@ impl Emitter for Esi {
         "ESI, for EtherCAT masters and configuration tools"
     }
 
-    fn emit(&self, family: &Checked<Family>, _: &Options) -> String {
-        document(family)
+    fn ends(&self) -> &'static [&'static str] {
+        &[".xml"]
+    }
+
+    fn is_default(&self) -> bool {
+        true
+    }
+
+    fn emit(&self, family: &Checked<Family>, _: &Options) -> Files {
+        Files::one(format!("{}.xml", family.id), document(family))
     }
 }
 

@@ -9,7 +9,7 @@ mod schema;
 
 use serde::Serialize;
 
-use super::{Emitter, Options};
+use super::{Emitter, Files, Options};
 use crate::lint::Checked;
 use crate::model::Family;
 use crate::text::characters::json;
@@ -53,8 +53,16 @@ impl Emitter for Json {
         "the complete model, for other tools"
     }
 
-    fn emit(&self, family: &Checked<Family>, _: &Options) -> String {
-        document(family)
+    fn ends(&self) -> &'static [&'static str] {
+        &[".json"]
+    }
+
+    fn is_default(&self) -> bool {
+        true
+    }
+
+    fn emit(&self, family: &Checked<Family>, _: &Options) -> Files {
+        Files::one(format!("{}.json", family.id), document(family))
     }
 }
 

@@ -20,30 +20,40 @@ mod synchronisation;
 mod units;
 mod words;
 
+use communication::Link;
 use device::Head;
 
-use super::chapter::{Prepared, prepare};
 use super::context::Context;
+use super::page::Page;
 use crate::model::Device;
+
+/// A chapter: what it is called in links and for people, and what it says.
+pub(super) struct Chapter {
+    pub(super) anchor: &'static str,
+    pub(super) title: &'static str,
+    pub(super) page: Page,
+}
 
 /// The chapters of a device, in the order of the document. Each is given what it is about: a part of the device
 /// that no chapter takes does not go unseen here.
-pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
+pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
     #[rustfmt::skip] // a line for what belongs together
     let Device {
         // the word, the name and the title stand at the front of the document
         id: _, name: _, title: _,
         // what it repeats, and who said what, stands where it belongs
         repetitions: _, written: _,
+        // the chapters about them go through those that stand for all axes
+        pdos: _, objects: _,
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
         axes, arrangement, connectors, leds,
         communication_states, communication_transitions, al_status_codes, sync_managers, mailbox, timeouts,
         sync_modes, cycle_times, dead_time,
-        pdos, configurations, words,
+        configurations, words,
         states, commands, transitions, device_control,
         modes, mode_changes, homing_methods, stop_options,
         errors, vendor_codes, units, coordinates,
-        areas, objects, registers, telegrams,
+        areas, registers, telegrams,
         master_settings, parameters, procedures,
         documents, errata, remarks, assumptions,
     } = context.device;
@@ -52,34 +62,34 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Prepared> {
     let head = Head {
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
     };
-    let link_layer = (
-        &**communication_states,
-        &**communication_transitions,
-        &**al_status_codes,
-        &**sync_managers,
-        mailbox.as_ref(),
-        timeouts.as_ref(),
-    );
+    #[rustfmt::skip] // as above
+    let link = Link {
+        communication_states, communication_transitions, al_status_codes, sync_managers, mailbox, timeouts,
+    };
+    let (dead_time, control) = (dead_time.as_ref(), device_control.as_ref());
+    let numbering = coordinates.as_ref().map(|it| coordinates::page(context, it)).unwrap_or_default();
+    #[rustfmt::skip] // a line for each
     let chapters = [
-        prepare::<device::View>(context, head),
-        prepare::<axes::View>(context, (axes, arrangement)),
-        prepare::<connections::View>(context, (connectors, leds)),
-        prepare::<communication::View>(context, link_layer),
-        prepare::<synchronisation::View>(context, (sync_modes, cycle_times, dead_time.as_ref())),
-        prepare::<process_data::View>(context, pdos),
-        prepare::<configurations::View>(context, configurations),
-        prepare::<words::View>(context, words),
-        prepare::<states::View>(context, (states, commands, transitions, device_control.as_ref())),
-        prepare::<modes::View>(context, (modes, mode_changes, device_control.as_ref())),
-        prepare::<homing::View>(context, homing_methods),
-        prepare::<stopping::View>(context, stop_options),
-        prepare::<errors::View>(context, (errors, vendor_codes)),
-        prepare::<units::View>(context, units),
-        prepare::<coordinates::View>(context, coordinates.as_ref()),
-        prepare::<objects::View>(context, (areas, objects)),
-        prepare::<registers::View>(context, (registers, telegrams)),
-        prepare::<service::View>(context, (master_settings, parameters, procedures)),
-        prepare::<sources::View>(context, (documents, errata, remarks, assumptions)),
+        ("device", "Device", device::page(context, &head)),
+        ("axes", "Axes", axes::page(context, axes, arrangement)),
+        ("connections", "Connections and lights", connections::page(context, connectors, leds)),
+        ("communication", "Communication", communication::page(context, &link)),
+        ("synchronisation", "Synchronisation", synchronisation::page(context, sync_modes, cycle_times, dead_time)),
+        ("process-data", "Process data", process_data::page(context)),
+        ("configurations", "Start-up configurations", configurations::page(context, configurations)),
+        ("words", "Words", words::page(context, words)),
+        ("states", "Drive states", states::page(context, states, commands, transitions, control)),
+        ("modes", "Modes of operation", modes::page(context, modes, mode_changes, control)),
+        ("homing", "Homing methods", homing::page(context, homing_methods)),
+        ("stopping", "Stopping", stopping::page(context, stop_options)),
+        ("errors", "Errors", errors::page(context, errors, vendor_codes)),
+        ("units", "Units and scaling", units::page(context, units)),
+        ("coordinates", "Numbering of parameters", numbering),
+        ("objects", "Object dictionary", objects::page(context, areas)),
+        ("registers", "Registers and messages", registers::page(context, registers, telegrams)),
+        ("service", "Settings and procedures", service::page(context, master_settings, parameters, procedures)),
+        ("sources", "Sources", sources::page(context, documents, errata, remarks, assumptions)),
     ];
-    chapters.into_iter().flatten().collect()
+    let chapters = chapters.into_iter().map(|(anchor, title, page)| Chapter { anchor, title, page });
+    chapters.filter(|chapter| !chapter.page.is_empty()).collect()
 }

@@ -1,83 +1,78 @@
 //! A device, or a family, as one document.
 
-use minijinja::syntax::SyntaxConfig;
-use minijinja::value::Serde;
-use minijinja::{Environment, UndefinedBehavior, Value, context};
-
-use super::chapter::Prepared;
-use super::chapters;
+use super::chapters::{Chapter, chapters};
 use super::context::Context;
 use super::family;
 use super::inline::text;
-use super::table::sources_once;
+use super::page::{Block, Item, Page};
 use crate::emit::escape::comment;
 use crate::model::{Device, Family};
 use crate::text::characters::line;
 
-const ALONE: &str = include_str!("templates/document.md.j2");
-const FAMILY: &str = include_str!("templates/family.md.j2");
-const BODY: &str = include_str!("templates/body.md.j2");
-
 /// The whole document: a reference, or the references of a family as one.
 pub(super) fn document(family: &Family, editorial: bool) -> String {
-    // Views and templates are part of devc, and each is rendered by a test: this says where one is broken.
-    let reference = reference(family, editorial)
-        .unwrap_or_else(|error| format!("devc could not print this: {error:#}\n"));
-    let text = tidy(&format!(
-        "<!-- Made by devc from the description of {}; not to be edited. -->\n{reference}",
-        comment(&line(&family.id))
-    ));
-    sources_once(&text)
-}
-
-fn reference(family: &Family, editorial: bool) -> Result<String, minijinja::Error> {
-    let environment = environment()?;
     let members: Vec<Context<'_>> =
         family.members.iter().map(|device| Context::new(device, &[], editorial)).collect();
-    let bodies =
-        family.members.iter().map(|device| body(&environment, &Context::new(device, &members, editorial)));
-    let bodies: Vec<String> = bodies.collect::<Result<_, _>>()?;
+    let bodies = family.members.iter().map(|device| body(&Context::new(device, &members, editorial)));
+    let bodies: Vec<Page> = bodies.collect();
+    let mut page = Page::default();
+    let id = comment(&line(&family.id));
+    page.lines(format!("<!-- Made by devc from the description of {id}; not to be edited. -->"));
     match family.members.as_slice() {
-        [alone] => environment.render_named_str("document", ALONE, front(alone, bodies.concat())),
-        _ => environment.render_named_str("family", FAMILY, family::view(family, &bodies)),
+        [alone] => {
+            front(alone, &mut page);
+            bodies.into_iter().for_each(|body| page.append(body));
+            with_sources(page).to_string()
+        }
+        _ => {
+            family::front(family, &mut page);
+            page.append(family::body(family, bodies));
+            family::first_anchors(&with_sources(page).to_string())
+        }
     }
+}
+
+fn front(device: &Device, page: &mut Page) {
+    page.heading(1, text(&device.name));
+    device.title.iter().for_each(|title| page.text(format!("**{}**", text(title))));
 }
 
 /// The contents and the chapters of one device.
-fn body(environment: &Environment<'_>, context: &Context<'_>) -> Result<String, minijinja::Error> {
-    let mut chapters = Vec::new();
-    for Prepared { title, anchor, sections, template, view } in chapters::chapters(context) {
-        let body = environment.render_named_str(title, template, view)?;
-        chapters.push(context! { title, anchor, sections => Serde(sections), body });
+fn body(context: &Context<'_>) -> Page {
+    let mut page = Page::default();
+    if let Some(main) = context.device.documents.first().map(|document| text(&document.title)) {
+        page.text(format!(
+            "<sub>Small print names the place in *{main}* that a fact is from, unless it names another document.</sub>"
+        ));
     }
-    let main = context.device.documents.first().map_or(String::new(), |document| text(&document.title));
-    Ok(tidy(&environment.render_named_str("body", BODY, context! { main, chapters })?))
+    let chapters = chapters(context);
+    page.heading(2, "Contents");
+    page.items(chapters.iter().flat_map(lines_of_contents).collect());
+    for chapter in chapters {
+        page.place(2, chapter.anchor, chapter.title);
+        page.append(chapter.page);
+    }
+    page
 }
 
-fn front(device: &Device, body: String) -> Value {
-    let title = device.title.as_deref().map_or(String::new(), text);
-    context! { name => text(&device.name), title, body }
+fn lines_of_contents(chapter: &Chapter) -> impl Iterator<Item = Item> {
+    let line = |depth, (anchor, title): (&str, &str)| Item { depth, text: format!("[{title}](#{anchor})") };
+    let parts = chapter.page.parts().map(move |part| line(1, part));
+    [line(0, (chapter.anchor, chapter.title))].into_iter().chain(parts)
 }
 
-fn environment() -> Result<Environment<'static>, minijinja::Error> {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
-    Ok(environment)
-}
-
-/// Takes out the blank lines that parts left out leave behind.
-fn tidy(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut blank = true;
-    for line in text.lines().map(str::trim_end) {
-        if !(blank && line.is_empty()) {
-            out.push_str(line);
-            out.push('\n');
+/// Says below each table what most of its rows are from, instead of in each row.
+fn with_sources(page: Page) -> Page {
+    let mut out = Page::default();
+    for block in page.0 {
+        match block {
+            Block::Table(mut table) => {
+                let source = table.take_source_line();
+                out.table(table);
+                source.iter().for_each(|source| out.text(source));
+            }
+            other => out.0.push(other),
         }
-        blank = line.is_empty();
     }
-    out.truncate(out.trim_end().len());
-    out.push('\n');
     out
 }

@@ -1,30 +1,35 @@
 //! Several members as one document: what they share once, and what tells them apart first.
 
 mod align;
-mod blocks;
 mod differences;
 mod merge;
 mod names;
 mod rows;
+mod sections;
 mod sentences;
 
-use minijinja::{Value, context};
-
 use super::inline::text;
+use super::page::Page;
 use crate::model::{Device, Family};
 
-/// What the template of a family shows, made of the references of its members.
-pub(super) fn view(family: &Family, bodies: &[String]) -> Value {
-    let names: Vec<String> = family.members.iter().map(name).collect();
-    context! {
-        name => text(&family.name),
-        about => family.about.as_deref().map_or(String::new(), text),
-        differences => differences::table(family, &names).to_string(),
-        body => merge::merge(&names, bodies),
-    }
+pub(super) use merge::first_anchors;
+
+/// What stands before the chapters.
+pub(super) fn front(family: &Family, page: &mut Page) {
+    page.heading(1, text(&family.name));
+    family.about.iter().for_each(|about| page.text(text(about)));
+    page.text("What tells the members apart:");
+    page.table(differences::table(family, &names(family)));
+    page.text("Whatever follows holds for all of them unless members are named.");
 }
 
-/// What a member is called in passing: its name if that is one word, else its id.
-fn name(device: &Device) -> String {
-    text(if device.name.contains(' ') { &device.id } else { &device.name })
+/// The chapters of the members as one.
+pub(super) fn body(family: &Family, bodies: Vec<Page>) -> Page {
+    merge::merge(&names(family), bodies)
+}
+
+/// What members are called in passing: their name if that is one word, else their id.
+fn names(family: &Family) -> Vec<String> {
+    let name = |device: &Device| text(if device.name.contains(' ') { &device.id } else { &device.name });
+    family.members.iter().map(name).collect()
 }

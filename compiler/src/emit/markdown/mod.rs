@@ -1,22 +1,21 @@
 //! The reference chapter of a manual, in Markdown.
 //!
-//! Each chapter is a *view*, a struct that holds what is to be printed and decides what is not, and a template
-//! that says in what order and under which headings. A view that is not there takes its line of the contents
-//! with it.
+//! Each chapter puts down blocks on a page: headings, paragraphs, lists, tables. What is empty leaves no block, and a chapter
+//! without blocks takes its line of the contents with it. The references of a family become one block by block.
 
-mod chapter;
 mod chapters;
 mod context;
 mod document;
 mod family;
 mod inline;
 mod number;
+mod page;
 mod table;
 
 #[cfg(feature = "diff")]
 pub(crate) use inline::text as escaped;
 
-use super::{Emitter, Options};
+use super::{Emitter, Files, Options};
 use crate::lint::Checked;
 use crate::model::Family;
 use crate::text::characters::harmless;
@@ -34,7 +33,18 @@ impl Emitter for Markdown {
         "the reference chapter of a manual"
     }
 
-    fn emit(&self, family: &Checked<Family>, options: &Options) -> String {
-        harmless(&document::document(family, options.editorial)).into_owned()
+    fn ends(&self) -> &'static [&'static str] {
+        &[".md"]
+    }
+
+    fn is_default(&self) -> bool {
+        true
+    }
+
+    fn emit(&self, family: &Checked<Family>, options: &Options) -> Files {
+        Files::one(
+            format!("{}.md", family.id),
+            harmless(&document::document(family, options.editorial)).into_owned(),
+        )
     }
 }

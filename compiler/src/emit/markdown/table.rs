@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::{Serialize, Serializer};
-
 use super::inline::small;
 
 /// The title of the column that says where a row is from. What most rows have in it is said once, below.
@@ -12,7 +10,7 @@ const SOURCE: &str = "Source";
 
 /// A table whose cells are Markdown already. It prints nothing while it has no rows, and leaves out columns
 /// in which no row has anything.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Table {
     titles: Vec<String>,
     rows: Vec<Vec<String>>,
@@ -55,12 +53,28 @@ impl Table {
         self.rows.iter().map(Vec::as_slice)
     }
 
-    /// Reads a table as it is printed.
-    pub(super) fn parse(text: &str) -> Self {
-        let mut lines = text.lines().map(cells);
-        let mut table = Self { titles: lines.next().unwrap_or_default(), rows: Vec::new() };
-        table.rows.extend(lines.skip(1));
-        table
+    /// The table with the columns in which some row has something.
+    pub(super) fn without_empty_columns(self) -> Self {
+        let used = self.used();
+        let keep = |cells: Vec<String>| {
+            cells.into_iter().zip(&used).filter(|(_, used)| **used).map(|(cell, _)| cell).collect()
+        };
+        Self { titles: keep(self.titles), rows: self.rows.into_iter().map(keep).collect() }
+    }
+
+    /// Which columns have something in some row.
+    fn used(&self) -> Vec<bool> {
+        (0..self.titles.len()).map(|column| self.rows.iter().any(|row| !blank(row, column))).collect()
+    }
+
+    /// Takes what most of its rows are from out of them, and says it in a line that is to follow the table.
+    pub(super) fn take_source_line(&mut self) -> Option<String> {
+        let source = self.take_common_source()?;
+        let column = self.titles.iter().position(|title| title == SOURCE)?;
+        let is_all = self.rows.iter().all(|row| blank(row, column));
+        let otherwise = if is_all { "" } else { ", unless a row says otherwise" };
+        let place = source.strip_prefix("<sub>").and_then(|place| place.strip_suffix("</sub>"));
+        Some(small(&format!("Source: {}{otherwise}", place.unwrap_or(&source))))
     }
 
     /// Takes what at least half of the rows name as their source out of them, if every row names one.
@@ -79,51 +93,16 @@ impl Table {
     }
 }
 
-/// Says below each table of a document what most of its rows are from.
-pub(super) fn sources_once(text: &str) -> String {
-    let lines: Vec<&str> = text.split_inclusive('\n').collect();
-    let blocks = lines.chunk_by(|one, next| one.starts_with('|') == next.starts_with('|'));
-    blocks.map(<[&str]>::concat).map(source_once).collect()
-}
-
-/// Says below a block, if it is a table, what most of its rows are from.
-fn source_once(block: String) -> String {
-    if !block.starts_with('|') {
-        return block;
-    }
-    let mut table = Table::parse(&block);
-    let Some(source) = table.take_common_source() else { return block };
-    let exceptions = table.titles.iter().position(|title| title == SOURCE);
-    let exceptions = exceptions.is_some_and(|column| table.rows.iter().any(|row| !blank(row, column)));
-    let otherwise = if exceptions { ", unless a row says otherwise" } else { "" };
-    let place = source.strip_prefix("<sub>").and_then(|place| place.strip_suffix("</sub>"));
-    let place = place.unwrap_or(&source);
-    format!("{table}\n{}\n", small(&format!("Source: {place}{otherwise}")))
-}
-
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_empty() {
             return Ok(());
         }
-        let used: Vec<bool> =
-            (0..self.titles.len()).map(|column| self.rows.iter().any(|row| !blank(row, column))).collect();
+        let used = self.used();
         line(f, &used, &self.titles)?;
         line(f, &used, &vec!["---".to_owned(); used.len()])?;
         self.rows.iter().try_for_each(|row| line(f, &used, row))
     }
-}
-
-impl Serialize for Table {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
-/// The cells of a line. What stands in them has no bare bars.
-fn cells(line: &str) -> Vec<String> {
-    let inner = line.strip_prefix("| ").unwrap_or(line);
-    inner.strip_suffix(" |").unwrap_or(inner).split(" | ").map(String::from).collect()
 }
 
 fn blank(row: &[String], column: usize) -> bool {
@@ -160,23 +139,18 @@ mod tests {
     }
 
     #[test]
-    fn what_is_printed_can_be_read() {
-        let printed = "| X |  | Y |\n| --- | --- | --- |\n| a \\| b |  | c |\n|  | d |  |\n";
-        let table = Table::parse(printed);
-        assert_eq!(table.rows().collect::<Vec<_>>(), [["a \\| b", "", "c"], ["", "d", ""]]);
-        assert_eq!(table.to_string(), printed);
-    }
-
-    #[test]
     fn a_source_of_most_rows_is_said_once() {
-        let small = |place: &str| small(place);
-        let two = table(&[["a", "x", &small("p. 1")], ["b", "", &small("p. 1")]]);
-        assert_eq!(
-            sources_once(&format!("text\n\n{two}\nmore\n")),
-            "text\n\n| Name | Notes |\n| --- | --- |\n| a | x |\n| b |  |\n\n<sub>Source: p. 1</sub>\n\nmore\n"
-        );
-        let mixed = sources_once(&(two + &format!("| c |  | {} |\n", small("p. 2"))));
-        assert!(mixed.contains("| c |  | <sub>p. 2</sub> |"), "{mixed}");
-        assert!(mixed.ends_with("<sub>Source: p. 1, unless a row says otherwise</sub>\n"), "{mixed}");
+        let row = |name: &str, notes: &str, place: &str| [name.into(), notes.into(), small(place)];
+        let mut table = Table::new(["Name", "Notes", "Source"]);
+        table.row(row("a", "x", "p. 1"));
+        table.row(row("b", "", "p. 1"));
+        let mut mixed = table.clone();
+        assert_eq!(table.take_source_line().as_deref(), Some("<sub>Source: p. 1</sub>"));
+        assert_eq!(table.to_string(), "| Name | Notes |\n| --- | --- |\n| a | x |\n| b |  |\n");
+
+        mixed.row(row("c", "", "p. 2"));
+        let line = mixed.take_source_line();
+        assert_eq!(line.as_deref(), Some("<sub>Source: p. 1, unless a row says otherwise</sub>"));
+        assert!(mixed.to_string().contains("| c |  | <sub>p. 2</sub> |"), "{mixed}");
     }
 }

@@ -1,39 +1,24 @@
 //! The axes and where each has its objects.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Arrangement, Axis, Index, Shift};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    coupling: String,
-    axes: Table,
-    rules: Vec<String>,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [Axis], &'d Arrangement);
-
-    const ID: &'static str = "axes";
-    const TITLE: &'static str = "Axes";
-    const TEMPLATE: &'static str = include_str!("../templates/axes.md.j2");
-
-    fn view(context: &Context<'_>, (axes, arrangement): Self::Parts<'_>) -> Option<Self> {
-        let Arrangement { shifts, pdo_shift, add_info, coupling, source, origin } = arrangement;
-        let about = axes.iter().any(|axis| axis.about.is_some());
-        let shown = context.has_axes() || coupling.is_some() || about;
-        shown.then(|| Self {
-            coupling: context.paragraphs(coupling.as_deref()),
-            axes: table(context, axes, shifts),
-            rules: rules(context, shifts, *pdo_shift).into_iter().chain(add_info.map(kind)).collect(),
-            source: context.said_line(source.as_ref(), origin),
-        })
+/// Which axes there are, and what moves from one to the next.
+pub(super) fn page(context: &Context<'_>, axes: &[Axis], arrangement: &Arrangement) -> Page {
+    let Arrangement { shifts, pdo_shift, add_info, coupling, source, origin } = arrangement;
+    let mut page = Page::default();
+    let about = axes.iter().any(|axis| axis.about.is_some());
+    if context.has_axes() || coupling.is_some() || about {
+        page.text(context.paragraphs(coupling.as_deref()));
+        page.table(table(context, axes, shifts));
+        rules(context, shifts, *pdo_shift).iter().for_each(|rule| page.text(rule));
+        add_info.iter().for_each(|add_info| page.text(kind(*add_info)));
+        page.text(context.said_line(source.as_ref(), origin));
     }
+    page
 }
 
 fn table(context: &Context<'_>, axes: &[Axis], shifts: &[Shift]) -> Table {

@@ -1,56 +1,45 @@
 //! The EtherCAT states, the sync managers and the mailbox.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, duration};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{
     AlStatusCode, CommunicationState, CommunicationTransition, Mailbox, Role, SyncManager, Timeouts,
 };
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    states: Table,
-    transitions: Table,
-    al_status_codes: Table,
-    sync_managers: Table,
-    mailbox: Table,
-    timeouts: Table,
+/// The parts of a device that the link layer is about.
+pub(super) struct Link<'d> {
+    pub(super) communication_states: &'d [CommunicationState],
+    pub(super) communication_transitions: &'d [CommunicationTransition],
+    pub(super) al_status_codes: &'d [AlStatusCode],
+    pub(super) sync_managers: &'d [SyncManager],
+    pub(super) mailbox: &'d Option<Mailbox>,
+    pub(super) timeouts: &'d Option<Timeouts>,
 }
 
-impl Chapter for View {
-    type Parts<'d> = (
-        &'d [CommunicationState],
-        &'d [CommunicationTransition],
-        &'d [AlStatusCode],
-        &'d [SyncManager],
-        Option<&'d Mailbox>,
-        Option<&'d Timeouts>,
-    );
-
-    const ID: &'static str = "communication";
-    const TITLE: &'static str = "Communication";
-    const TEMPLATE: &'static str = include_str!("../templates/communication.md.j2");
-
-    fn view(
-        context: &Context<'_>,
-        (states, transitions, codes, managers, mailbox, timeouts): Self::Parts<'_>,
-    ) -> Option<Self> {
-        let view = Self {
-            states: state_table(context, states),
-            transitions: transition_table(context, states, transitions),
-            al_status_codes: al_status_codes(context, codes),
-            sync_managers: sync_managers(context, managers),
-            mailbox: mailbox.map(|mailbox| services(context, mailbox)).unwrap_or_default(),
-            timeouts: timeouts.map(|timeouts| waits(context, timeouts)).unwrap_or_default(),
-        };
-        let View { states, transitions, al_status_codes, sync_managers, mailbox, timeouts } = &view;
-        let tables = [states, transitions, al_status_codes, sync_managers, mailbox, timeouts];
-        tables.iter().any(|table| !table.is_empty()).then_some(view)
+/// How the device and the master come to speak to one another.
+pub(super) fn page(context: &Context<'_>, link: &Link<'_>) -> Page {
+    let mut page = Page::default();
+    let Link {
+        communication_states: states,
+        communication_transitions: transitions,
+        al_status_codes: codes,
+        sync_managers: managers,
+        mailbox,
+        timeouts,
+    } = link;
+    if !(states.is_empty() && transitions.is_empty()) {
+        page.heading(3, "EtherCAT states");
+        page.table(state_table(context, states));
+        page.table(transition_table(context, states, transitions));
     }
+    page.titled("Why a state is refused or left", al_status_codes(context, codes));
+    page.titled("Sync managers", sync_managers(context, managers));
+    page.titled("Mailbox", mailbox.as_ref().map(|mailbox| services(context, mailbox)).unwrap_or_default());
+    page.titled("Timeouts", timeouts.as_ref().map(|timeouts| waits(context, timeouts)).unwrap_or_default());
+    page
 }
 
 fn state_table(context: &Context<'_>, states: &[CommunicationState]) -> Table {

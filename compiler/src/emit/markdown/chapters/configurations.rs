@@ -1,59 +1,21 @@
 //! Choices of process data and mode, with what a master writes to bring them about.
 
-use serde::Serialize;
-
 use super::process_data::layout;
-use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, fragment, list, text};
 use crate::emit::markdown::number::{duration, width};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Configuration, Index, Pdo};
+use crate::model::{Configuration, Index};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    configurations: Vec<ConfigurationView>,
+/// Choices of process data and mode, with what a master writes to bring them about.
+pub(super) fn page(context: &Context<'_>, configurations: &[Configuration]) -> Page {
+    let mut page = Page::default();
+    configurations.iter().for_each(|one| configuration(context, one, &mut page));
+    page
 }
 
-#[derive(Serialize)]
-struct ConfigurationView {
-    anchor: String,
-    name: String,
-    about: String,
-    facts: Vec<String>,
-    mapping: Vec<MappingView>,
-    startup: Table,
-    source: String,
-}
-
-/// A PDO as it is mapped anew.
-#[derive(Serialize)]
-struct MappingView {
-    title: String,
-    layout: Table,
-}
-
-impl Chapter for View {
-    type Parts<'d> = &'d [Configuration];
-
-    const ID: &'static str = "configurations";
-    const TITLE: &'static str = "Start-up configurations";
-    const TEMPLATE: &'static str = include_str!("../templates/configurations.md.j2");
-
-    fn view(context: &Context<'_>, configurations: Self::Parts<'_>) -> Option<Self> {
-        let configurations: Vec<ConfigurationView> =
-            configurations.iter().map(|one| configuration(context, one)).collect();
-        (!configurations.is_empty()).then_some(Self { configurations })
-    }
-
-    fn sections(&self) -> Vec<Section> {
-        let section =
-            |one: &ConfigurationView| Section { title: one.name.clone(), anchor: one.anchor.clone() };
-        self.configurations.iter().map(section).collect()
-    }
-}
-
-fn configuration(context: &Context<'_>, configuration: &Configuration) -> ConfigurationView {
+fn configuration(context: &Context<'_>, configuration: &Configuration, page: &mut Page) {
     let Configuration {
         id,
         name,
@@ -69,15 +31,19 @@ fn configuration(context: &Context<'_>, configuration: &Configuration) -> Config
         startup: _,
         origin,
     } = configuration;
-    ConfigurationView {
-        anchor: fragment(format!("configuration-{id}")),
-        name: text(name),
-        about: context.paragraphs(about.as_deref()),
-        facts: facts(context, configuration),
-        mapping: mapping.iter().map(|pdo| self::mapping(context, pdo)).collect(),
-        startup: startup(context, configuration),
-        source: context.said_line(source.as_ref(), origin),
+    page.place(3, fragment(format!("configuration-{id}")), text(name));
+    page.text(context.paragraphs(about.as_deref()));
+    page.list(facts(context, configuration));
+    for pdo in mapping {
+        let (index, size) = (context.index(pdo.index), width(pdo.bits()));
+        page.text(format!("{index} {}, mapped anew to {size}:", text(&pdo.name)));
+        page.table(layout(context, pdo));
     }
+    if !configuration.startup.is_empty() {
+        page.text("What the master writes through the mailbox:");
+        page.table(startup(context, configuration));
+    }
+    page.text(context.said_line(source.as_ref(), origin));
 }
 
 fn facts(context: &Context<'_>, configuration: &Configuration) -> Vec<String> {
@@ -95,12 +61,6 @@ fn facts(context: &Context<'_>, configuration: &Configuration) -> Vec<String> {
         pdos("Inputs", &configuration.inputs),
     ];
     facts.into_iter().flatten().collect()
-}
-
-fn mapping(context: &Context<'_>, pdo: &Pdo) -> MappingView {
-    let title =
-        format!("{} {}, mapped anew to {}:", context.index(pdo.index), text(&pdo.name), width(pdo.bits()));
-    MappingView { title, layout: layout(context, pdo) }
 }
 
 fn startup(context: &Context<'_>, configuration: &Configuration) -> Table {

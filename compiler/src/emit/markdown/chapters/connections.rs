@@ -1,30 +1,17 @@
 //! Sockets and lights.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::text;
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Connector, Led};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    connectors: Table,
-    lights: Table,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [Connector], &'d [Led]);
-
-    const ID: &'static str = "connections";
-    const TITLE: &'static str = "Connections and lights";
-    const TEMPLATE: &'static str = include_str!("../templates/connections.md.j2");
-
-    fn view(context: &Context<'_>, (connectors, leds): Self::Parts<'_>) -> Option<Self> {
-        let shown = !connectors.is_empty() || !leds.is_empty();
-        shown.then(|| Self { connectors: sockets(context, connectors), lights: lights(context, leds) })
-    }
+/// Sockets, and what lights show.
+pub(super) fn page(context: &Context<'_>, connectors: &[Connector], leds: &[Led]) -> Page {
+    let mut page = Page::default();
+    page.table(sockets(context, connectors));
+    page.table(lights(context, leds));
+    page
 }
 
 fn sockets(context: &Context<'_>, connectors: &[Connector]) -> Table {

@@ -1,42 +1,23 @@
 //! How the vendor's parameters lie in the dictionary.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{AxisGroup, Coordinates, Group, Index};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    about: String,
-    formula: String,
-    shift: String,
-    groups: Table,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = Option<&'d Coordinates>;
-
-    const ID: &'static str = "coordinates";
-    const TITLE: &'static str = "Numbering of parameters";
-    const TEMPLATE: &'static str = include_str!("../templates/coordinates.md.j2");
-
-    fn view(context: &Context<'_>, coordinates: Self::Parts<'_>) -> Option<Self> {
-        let coordinates = coordinates?;
-        let shift = format!("SDO information counts subindices from {} on.", coordinates.info_shift);
-        Some(Self {
-            about: context.paragraphs(coordinates.about.as_deref()),
-            formula: formula(coordinates),
-            shift: if coordinates.info_shift > 0 { shift } else { String::new() },
-            groups: Table::of(["Group", "Parameters", "Number", "Indices"], &coordinates.groups, |it| {
-                group(context, it)
-            }),
-            source: context.said_line(coordinates.source.as_ref(), &coordinates.origin),
-        })
+/// How numbers of parameters and addresses lead to one another.
+pub(super) fn page(context: &Context<'_>, coordinates: &Coordinates) -> Page {
+    let mut page = Page::default();
+    page.text(context.paragraphs(coordinates.about.as_deref()));
+    page.text(format!("> {}", formula(coordinates)));
+    if coordinates.info_shift > 0 {
+        page.text(format!("SDO information counts subindices from {} on.", coordinates.info_shift));
     }
+    let titles = ["Group", "Parameters", "Number", "Indices"];
+    page.table(Table::of(titles, &coordinates.groups, |it| group(context, it)));
+    page.text(context.said_line(coordinates.source.as_ref(), &coordinates.origin));
+    page
 }
 
 /// The formula, with a worked example of the first group that has a number.

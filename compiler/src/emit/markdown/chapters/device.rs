@@ -1,24 +1,12 @@
 //! What the device is and how a master recognises it.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, link, list, text};
 use crate::emit::markdown::number::bytes;
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Eeprom, Identity, Limit, Role, Source};
 use crate::source::Origin;
-
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    about: String,
-    facts: Table,
-    identity: Table,
-    limits: Table,
-    source: String,
-    identity_source: String,
-}
 
 /// What is said of a device before anything else.
 pub(in crate::emit::markdown) struct Head<'d> {
@@ -36,23 +24,16 @@ pub(in crate::emit::markdown) struct Head<'d> {
     pub(super) origin: &'d Origin,
 }
 
-impl Chapter for View {
-    type Parts<'d> = Head<'d>;
-
-    const ID: &'static str = "device";
-    const TITLE: &'static str = "Device";
-    const TEMPLATE: &'static str = include_str!("../templates/device.md.j2");
-
-    fn view(context: &Context<'_>, head: Head<'_>) -> Option<Self> {
-        Some(Self {
-            about: context.paragraphs(head.about),
-            facts: facts(context, &head),
-            identity: identity(head.identity),
-            limits: limits(context, head.limits),
-            source: context.said_line(head.source, head.origin),
-            identity_source: context.said_line(head.identity.source.as_ref(), &head.identity.origin),
-        })
-    }
+/// What the device is and how a master recognises it.
+pub(super) fn page(context: &Context<'_>, head: &Head<'_>) -> Page {
+    let mut page = Page::default();
+    page.text(context.paragraphs(head.about));
+    page.table(facts(context, head));
+    page.text(context.said_line(head.source, head.origin));
+    page.table(identity(head.identity));
+    page.text(context.said_line(head.identity.source.as_ref(), &head.identity.origin));
+    page.titled("Limits", limits(context, head.limits));
+    page
 }
 
 fn facts(context: &Context<'_>, head: &Head<'_>) -> Table {

@@ -1,42 +1,28 @@
 //! Error codes, and the vendor's own codes.
 
-use serde::Serialize;
-
 use super::words::value;
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{anchor, code, link, list, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{ErrorCode, Index, Meaning, VendorCode};
 
 const ERROR_REGISTER: Index = Index(0x1001);
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    register: String,
-    errors: Table,
-    vendor_codes: Table,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [ErrorCode], &'d [VendorCode]);
-
-    const ID: &'static str = "errors";
-    const TITLE: &'static str = "Errors";
-    const TEMPLATE: &'static str = include_str!("../templates/errors.md.j2");
-
-    fn view(context: &Context<'_>, (errors, vendor_codes): Self::Parts<'_>) -> Option<Self> {
-        (!errors.is_empty() || !vendor_codes.is_empty()).then(|| Self {
-            register: register(context),
-            errors: error_table(context, errors),
-            vendor_codes: vendor_table(context, vendor_codes),
-        })
+/// The codes of errors, and what they mean.
+pub(super) fn page(context: &Context<'_>, errors: &[ErrorCode], vendor_codes: &[VendorCode]) -> Page {
+    let mut page = Page::default();
+    if errors.is_empty() && vendor_codes.is_empty() {
+        return page;
     }
-}
-
-fn register(context: &Context<'_>) -> String {
-    let word = context.device.words.iter().find(|word| word.address.index == ERROR_REGISTER);
-    word.map_or(String::new(), |word| link(text(&word.name), context.word_id(&word.id)))
+    let register = context.device.words.iter().find(|word| word.address.index == ERROR_REGISTER);
+    if let Some(word) = register {
+        let word = link(text(&word.name), context.word_id(&word.id));
+        page.text(format!("The bits of the register are those of the {word}."));
+    }
+    page.table(error_table(context, errors));
+    page.titled("The vendor's own codes", vendor_table(context, vendor_codes));
+    page
 }
 
 fn error_table(context: &Context<'_>, errors: &[ErrorCode]) -> Table {

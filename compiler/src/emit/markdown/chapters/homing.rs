@@ -1,47 +1,17 @@
 //! The homing methods.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{anchor, code, list, sentence, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{HomingMethod, Way};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    methods: Table,
-    steps: Vec<StepsView>,
-}
-
-/// What the drive does for a method, in each case.
-#[derive(Serialize)]
-struct StepsView {
-    title: String,
-    cases: Vec<CaseView>,
-}
-
-#[derive(Serialize)]
-struct CaseView {
-    when: String,
-    steps: Vec<String>,
-}
-
-impl Chapter for View {
-    type Parts<'d> = &'d [HomingMethod];
-
-    const ID: &'static str = "homing";
-    const TITLE: &'static str = "Homing methods";
-    const TEMPLATE: &'static str = include_str!("../templates/homing.md.j2");
-
-    fn view(context: &Context<'_>, methods: Self::Parts<'_>) -> Option<Self> {
-        let told =
-            methods.iter().filter(|method| !method.steps.is_empty() || !method.alternatives.is_empty());
-        (!methods.is_empty()).then(|| Self {
-            methods: table(context, methods),
-            steps: told.map(|method| steps(context, method)).collect(),
-        })
-    }
+/// The methods of homing, and what the drive does for each.
+pub(super) fn page(context: &Context<'_>, methods: &[HomingMethod]) -> Page {
+    let mut page = Page::default();
+    page.table(table(context, methods));
+    methods.iter().for_each(|method| steps(context, method, &mut page));
+    page
 }
 
 fn table(context: &Context<'_>, methods: &[HomingMethod]) -> Table {
@@ -97,15 +67,17 @@ fn way(way: Way) -> &'static str {
     }
 }
 
-fn steps(context: &Context<'_>, method: &HomingMethod) -> StepsView {
-    let prose = |steps: &[String]| steps.iter().map(|step| context.prose(step)).collect();
-    let main = CaseView { when: String::new(), steps: prose(&method.steps) };
-    let others = method.alternatives.iter();
-    let others =
-        others.map(|one| CaseView { when: opening(&context.prose(&one.when)), steps: prose(&one.steps) });
-    StepsView {
-        title: format!("{} {}", method.number, text(&method.name)),
-        cases: [main].into_iter().chain(others).filter(|one| !one.steps.is_empty()).collect(),
+/// What the drive does for a method, in each case.
+fn steps(context: &Context<'_>, method: &HomingMethod, page: &mut Page) {
+    if method.steps.is_empty() && method.alternatives.is_empty() {
+        return;
+    }
+    let prose = |steps: &[String]| steps.iter().map(|step| context.prose(step)).collect::<Vec<_>>();
+    page.heading(4, format!("{} {}", method.number, text(&method.name)));
+    page.steps(&prose(&method.steps));
+    for case in method.alternatives.iter().filter(|case| !case.steps.is_empty()) {
+        page.text(format!("{}:", opening(&context.prose(&case.when))));
+        page.steps(&prose(&case.steps));
     }
 }
 

@@ -1,58 +1,32 @@
 //! The modes of operation and the changes between them.
 
-use serde::Serialize;
-
 use super::states::control;
 use super::words::{statements, table};
-use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::inline::{code, link, list, sentence, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{DeviceControl, Fields, HomingBits, Mode, ModeChange, MotionCommand};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    overview: Table,
-    modes: Vec<ModeView>,
-    changes: Table,
-    control: String,
-}
-
-#[derive(Serialize)]
-struct ModeView {
-    anchor: String,
-    title: String,
-    about: String,
-    cautions: Vec<String>,
-    conditions: Vec<String>,
-    objects: String,
-    control_bits: Table,
-    status_bits: Table,
-    homing: String,
-    commands: Table,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [Mode], &'d [ModeChange], Option<&'d DeviceControl>);
-
-    const ID: &'static str = "modes";
-    const TITLE: &'static str = "Modes of operation";
-    const TEMPLATE: &'static str = include_str!("../templates/modes.md.j2");
-
-    fn view(context: &Context<'_>, (modes, mode_changes, control): Self::Parts<'_>) -> Option<Self> {
-        (!modes.is_empty() || !mode_changes.is_empty()).then(|| Self {
-            overview: overview(context, modes),
-            modes: modes.iter().map(|mode| mode_view(context, mode)).collect(),
-            changes: changes(context, mode_changes),
-            control: control.map_or(String::new(), |control| control::modes(context, control)),
-        })
+/// The modes of operation and the changes between them.
+pub(super) fn page(
+    context: &Context<'_>,
+    modes: &[Mode],
+    mode_changes: &[ModeChange],
+    control: Option<&DeviceControl>,
+) -> Page {
+    let mut page = Page::default();
+    if modes.is_empty() && mode_changes.is_empty() {
+        return page;
     }
-
-    fn sections(&self) -> Vec<Section> {
-        let section = |mode: &ModeView| Section { title: mode.title.clone(), anchor: mode.anchor.clone() };
-        self.modes.iter().map(section).collect()
+    page.table(overview(context, modes));
+    modes.iter().for_each(|mode| self::mode(context, mode, &mut page));
+    if !mode_changes.is_empty() || control.is_some() {
+        page.heading(3, "Changing the mode");
+        page.table(changes(context, mode_changes));
+        control.iter().for_each(|control| control::modes(context, control, &mut page));
     }
+    page
 }
 
 fn overview(context: &Context<'_>, modes: &[Mode]) -> Table {
@@ -69,7 +43,7 @@ fn overview(context: &Context<'_>, modes: &[Mode]) -> Table {
     })
 }
 
-fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
+fn mode(context: &Context<'_>, mode: &Mode, page: &mut Page) {
     // What is left out stands in the overview.
     let Mode {
         code,
@@ -89,20 +63,27 @@ fn mode_view(context: &Context<'_>, mode: &Mode) -> ModeView {
         supported_bit: _,
         origin,
     } = mode;
-    let sentences = |lines: &[String]| lines.iter().map(|line| sentence(&context.prose(line))).collect();
-    ModeView {
-        anchor: context.mode_id(*code),
-        title: mode_label(mode),
-        about: context.paragraphs(about.as_deref()),
-        cautions: sentences(cautions),
-        conditions: sentences(conditions),
-        objects: list(objects.iter().map(|address| context.named(*address))),
-        control_bits: fields(context, "Bit of the controlword", control_bits),
-        status_bits: fields(context, "Bit of the statusword", status_bits),
-        homing: homing_bits.as_ref().map_or(String::new(), homing),
-        commands: command_table(context, commands),
-        source: context.said_line(source.as_ref(), origin),
+    page.place(3, context.mode_id(*code), mode_label(mode));
+    page.text(context.paragraphs(about.as_deref()));
+    let sentences =
+        |lines: &[String]| lines.iter().map(|line| sentence(&context.prose(line))).collect::<Vec<_>>();
+    if !cautions.is_empty() {
+        let lines = sentences(cautions).into_iter().map(|caution| format!("\n> {caution}"));
+        page.lines(format!("> [!WARNING]{}", lines.collect::<String>()));
     }
+    if !conditions.is_empty() {
+        page.text("Before it is chosen:");
+        page.list(sentences(conditions));
+    }
+    if !objects.is_empty() {
+        let objects = list(objects.iter().map(|address| context.named(*address)));
+        page.text(format!("It uses {objects}."));
+    }
+    page.table(fields(context, "Bit of the controlword", control_bits));
+    page.table(fields(context, "Bit of the statusword", status_bits));
+    homing_bits.iter().for_each(|bits| page.text(homing(bits)));
+    page.table(command_table(context, commands));
+    page.text(context.said_line(source.as_ref(), origin));
 }
 
 fn fields(context: &Context<'_>, title: &str, fields: &Fields) -> Table {

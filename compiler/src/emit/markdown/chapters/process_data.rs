@@ -1,74 +1,37 @@
 //! The process data objects and how their bytes are laid out.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, place, width};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Address, Direction, Mapped, Pdo, Role};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    directions: Vec<DirectionView>,
+/// The process data objects and how their bytes are laid out.
+pub(super) fn page(context: &Context<'_>) -> Page {
+    let mut page = Page::default();
+    direction(context, Direction::Rx, Role::Outputs, &mut page);
+    direction(context, Direction::Tx, Role::Inputs, &mut page);
+    page
 }
 
-#[derive(Serialize)]
-struct DirectionView {
-    title: &'static str,
-    anchor: &'static str,
-    overview: Table,
-    image_size: String,
-    image: Table,
-    pdos: Vec<PdoView>,
-}
-
-#[derive(Serialize)]
-struct PdoView {
-    anchor: String,
-    index: String,
-    name: String,
-    about: String,
-    facts: String,
-    layout: Table,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = &'d [Pdo];
-
-    const ID: &'static str = "process-data";
-    const TITLE: &'static str = "Process data";
-    const TEMPLATE: &'static str = include_str!("../templates/process_data.md.j2");
-
-    fn view(context: &Context<'_>, pdos: Self::Parts<'_>) -> Option<Self> {
-        let directions = [(Direction::Rx, Role::Outputs), (Direction::Tx, Role::Inputs)];
-        let directions = directions.into_iter().filter_map(|(way, role)| direction(context, way, role));
-        let directions: Vec<DirectionView> = directions.collect();
-        (!pdos.is_empty()).then_some(Self { directions })
-    }
-
-    fn sections(&self) -> Vec<Section> {
-        let section = |way: &DirectionView| Section { title: way.title.into(), anchor: way.anchor.into() };
-        self.directions.iter().map(section).collect()
-    }
-}
-
-fn direction(context: &Context<'_>, way: Direction, role: Role) -> Option<DirectionView> {
-    let (id, title) = match way {
-        Direction::Rx => ("outputs", "Outputs: from the master to the device"),
-        Direction::Tx => ("inputs", "Inputs: from the device to the master"),
-    };
+fn direction(context: &Context<'_>, way: Direction, role: Role, page: &mut Page) {
     let pdos: Vec<&Pdo> = context.leading_pdos().filter(|pdo| pdo.direction == way).collect();
-    (!pdos.is_empty()).then(|| DirectionView {
-        title,
-        anchor: id,
-        overview: overview(context, &pdos),
-        image_size: bytes(context.device.image_bytes(role)),
-        image: image(context, role),
-        pdos: pdos.iter().map(|pdo| pdo_view(context, pdo)).collect(),
-    })
+    if pdos.is_empty() {
+        return;
+    }
+    match way {
+        Direction::Rx => page.place(3, "outputs", "Outputs: from the master to the device"),
+        Direction::Tx => page.place(3, "inputs", "Inputs: from the device to the master"),
+    }
+    page.table(overview(context, &pdos));
+    let image = image(context, role);
+    if !image.is_empty() {
+        let size = bytes(context.device.image_bytes(role));
+        page.text(format!("The default assignment makes an image of {size}:"));
+        page.table(image);
+    }
+    pdos.iter().for_each(|pdo| self::pdo(context, pdo, page));
 }
 
 /// A line for each PDO, with its index on the other axes.
@@ -108,19 +71,15 @@ fn image(context: &Context<'_>, role: Role) -> Table {
     table
 }
 
-fn pdo_view(context: &Context<'_>, pdo: &Pdo) -> PdoView {
-    PdoView {
-        anchor: context.pdo_id(pdo),
-        index: code(pdo.index),
-        name: text(&pdo.name),
-        about: context.paragraphs(pdo.about.as_deref()),
-        facts: facts(context, pdo).join(" · "),
-        layout: layout(context, pdo),
-        source: context.said_line(pdo.source.as_ref(), &pdo.origin),
-    }
+fn pdo(context: &Context<'_>, pdo: &Pdo, page: &mut Page) {
+    page.place(4, context.pdo_id(pdo), format!("{} {}", code(pdo.index), text(&pdo.name)));
+    page.text(context.paragraphs(pdo.about.as_deref()));
+    page.text(facts(context, pdo).join(" · "));
+    page.table(layout(context, pdo));
+    page.text(context.said_line(pdo.source.as_ref(), &pdo.origin));
 }
 
-/// What is to be said of a PDO beyond the overview, its layout and what else its view shows.
+/// What is to be said of a PDO beyond the overview, its layout and what else is shown of it.
 fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
     let Pdo {
         index,

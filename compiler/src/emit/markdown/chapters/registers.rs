@@ -1,46 +1,23 @@
 //! Registers of the EtherCAT slave controller, and the bytes of messages.
 
-use serde::Serialize;
-
 use super::words;
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, text};
 use crate::emit::markdown::number::bytes;
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Register, RegisterAccess, Telegram};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    registers: Table,
-    bits: Vec<FieldsView>,
-    telegrams: Vec<FieldsView>,
-}
-
-/// The bits of a register, or the bytes of a message.
-#[derive(Serialize)]
-struct FieldsView {
-    title: String,
-    about: String,
-    fields: Table,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [Register], &'d [Telegram]);
-
-    const ID: &'static str = "registers";
-    const TITLE: &'static str = "Registers and messages";
-    const TEMPLATE: &'static str = include_str!("../templates/registers.md.j2");
-
-    fn view(context: &Context<'_>, (registers, telegrams): Self::Parts<'_>) -> Option<Self> {
-        let with_bits = registers.iter().filter(|register| !register.fields.is_empty());
-        (!registers.is_empty() || !telegrams.is_empty()).then(|| Self {
-            registers: table(context, registers),
-            bits: with_bits.map(|register| bits(context, register)).collect(),
-            telegrams: telegrams.iter().map(|telegram| message(context, telegram)).collect(),
-        })
+/// Registers of the controller, and the bytes of messages.
+pub(super) fn page(context: &Context<'_>, registers: &[Register], telegrams: &[Telegram]) -> Page {
+    let mut page = Page::default();
+    page.table(table(context, registers));
+    for register in registers.iter().filter(|register| !register.fields.is_empty()) {
+        page.heading(4, format!("{} {}", hex(register.address), text(&register.name)));
+        page.table(fields(context, "Bit", &register.fields));
     }
+    telegrams.iter().for_each(|telegram| message(context, telegram, &mut page));
+    page
 }
 
 fn table(context: &Context<'_>, registers: &[Register]) -> Table {
@@ -73,24 +50,13 @@ fn access(access: RegisterAccess) -> &'static str {
     }
 }
 
-fn bits(context: &Context<'_>, register: &Register) -> FieldsView {
-    FieldsView {
-        title: format!("{} {}", hex(register.address), text(&register.name)),
-        about: String::new(),
-        fields: fields(context, "Bit", &register.fields),
-        source: String::new(),
-    }
-}
-
-fn message(context: &Context<'_>, telegram: &Telegram) -> FieldsView {
+fn message(context: &Context<'_>, telegram: &Telegram, page: &mut Page) {
     let Telegram { id: _, name, address, fields, about, source, origin } = telegram;
     let address = address.map_or(String::new(), |address| format!(" at {}", hex(address)));
-    FieldsView {
-        title: format!("{}{address}", text(name)),
-        about: context.paragraphs(about.as_deref()),
-        fields: self::fields(context, "Byte", fields),
-        source: context.said_line(source.as_ref(), origin),
-    }
+    page.heading(3, format!("{}{address}", text(name)));
+    page.text(context.paragraphs(about.as_deref()));
+    page.table(self::fields(context, "Byte", fields));
+    page.text(context.said_line(source.as_ref(), origin));
 }
 
 fn fields(context: &Context<'_>, title: &str, fields: &[crate::model::Field]) -> Table {

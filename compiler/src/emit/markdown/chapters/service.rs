@@ -1,51 +1,23 @@
 //! What a person sets, in the device and in the master, and in which order.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, fragment, sentence, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{MasterSetting, Parameter, Procedure, Step, Value, ValueRange};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    master_settings: Table,
-    parameters: Table,
-    procedures: Vec<ProcedureView>,
-}
-
-#[derive(Serialize)]
-struct ProcedureView {
-    anchor: String,
-    name: String,
-    about: String,
-    steps: Vec<String>,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [MasterSetting], &'d [Parameter], &'d [Procedure]);
-
-    const ID: &'static str = "service";
-    const TITLE: &'static str = "Settings and procedures";
-    const TEMPLATE: &'static str = include_str!("../templates/service.md.j2");
-
-    fn view(context: &Context<'_>, (settings, parameters, procedures): Self::Parts<'_>) -> Option<Self> {
-        let view = Self {
-            master_settings: master_settings(context, settings),
-            parameters: parameter_table(context, parameters),
-            procedures: procedures.iter().map(|procedure| procedure_view(context, procedure)).collect(),
-        };
-        let empty =
-            view.master_settings.is_empty() && view.parameters.is_empty() && view.procedures.is_empty();
-        (!empty).then_some(view)
-    }
-
-    fn sections(&self) -> Vec<Section> {
-        let section = |one: &ProcedureView| Section { title: one.name.clone(), anchor: one.anchor.clone() };
-        self.procedures.iter().map(section).collect()
-    }
+/// What is set in the master, parameters that are no objects, and procedures step by step.
+pub(super) fn page(
+    context: &Context<'_>,
+    settings: &[MasterSetting],
+    parameters: &[Parameter],
+    procedures: &[Procedure],
+) -> Page {
+    let mut page = Page::default();
+    page.titled("In the master", master_settings(context, settings));
+    page.titled("Parameters outside the object dictionary", parameter_table(context, parameters));
+    procedures.iter().for_each(|procedure| self::procedure(context, procedure, &mut page));
+    page
 }
 
 fn master_settings(context: &Context<'_>, settings: &[MasterSetting]) -> Table {
@@ -105,14 +77,12 @@ fn range_meaning(context: &Context<'_>, range: &ValueRange) -> String {
     format!("{numbers} {}{about}", text(&range.name))
 }
 
-fn procedure_view(context: &Context<'_>, procedure: &Procedure) -> ProcedureView {
-    ProcedureView {
-        anchor: fragment(format!("procedure-{}", procedure.id)),
-        name: text(&procedure.name),
-        about: context.paragraphs(procedure.about.as_deref()),
-        steps: procedure.steps.iter().map(|one| step(context, one)).collect(),
-        source: context.said_line(procedure.source.as_ref(), &procedure.origin),
-    }
+fn procedure(context: &Context<'_>, procedure: &Procedure, page: &mut Page) {
+    page.place(3, fragment(format!("procedure-{}", procedure.id)), text(&procedure.name));
+    page.text(context.paragraphs(procedure.about.as_deref()));
+    let steps: Vec<String> = procedure.steps.iter().map(|one| step(context, one)).collect();
+    page.steps(&steps);
+    page.text(context.said_line(procedure.source.as_ref(), &procedure.origin));
 }
 
 fn step(context: &Context<'_>, step: &Step) -> String {

@@ -1,58 +1,45 @@
 //! Where the facts are from, and how sure they are.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::{Context, assumption_id, erratum_id};
 use crate::emit::markdown::inline::{anchor, code, sentence, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Assumption, Document, Erratum, Remark, RemarkKind, Said};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    editorial: bool,
-    documents: Table,
-    errata: Vec<ErratumView>,
-    remarks: Table,
-    assumptions: Table,
-}
-
-#[derive(Serialize)]
-struct ErratumView {
-    anchor: String,
-    at: String,
-    says: String,
-    holds: String,
-    why: String,
-    rule: String,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [Document], &'d [Erratum], &'d [Remark], &'d [Assumption]);
-
-    const ID: &'static str = "sources";
-    const TITLE: &'static str = "Sources";
-    const TEMPLATE: &'static str = include_str!("../templates/sources.md.j2");
-
-    fn view(
-        context: &Context<'_>,
-        (documents, errata, remarks, assumptions): Self::Parts<'_>,
-    ) -> Option<Self> {
-        let editorial = context.editorial;
-        let errata = if editorial { errata } else { &[] };
-        let remarks = if editorial { remarks } else { &[] };
-        let assumptions = if editorial { assumptions } else { &[] };
-        let lists = [documents.len(), errata.len(), remarks.len(), assumptions.len()];
-        (lists.iter().sum::<usize>() > 0).then(|| Self {
-            editorial,
-            documents: document_table(context, documents),
-            errata: errata.iter().map(|erratum| erratum_view(context, erratum)).collect(),
-            remarks: remark_table(context, remarks),
-            assumptions: assumption_table(context, assumptions),
-        })
+/// Where the facts are from, and how sure they are.
+pub(super) fn page(
+    context: &Context<'_>,
+    documents: &[Document],
+    errata: &[Erratum],
+    remarks: &[Remark],
+    assumptions: &[Assumption],
+) -> Page {
+    let mut page = Page::default();
+    page.table(document_table(context, documents));
+    let lists = [documents.len(), errata.len(), remarks.len(), assumptions.len()];
+    if !context.editorial || lists.iter().all(|length| *length == 0) {
+        return page;
     }
+    page.lines(MARKS.to_owned());
+    if !errata.is_empty() {
+        page.heading(3, "Errata");
+        page.text("Where the sources contradict themselves, and what holds.");
+        page.list(errata.iter().map(|erratum| self::erratum(context, erratum)));
+    }
+    page.titled("Remarks", remark_table(context, remarks));
+    if !assumptions.is_empty() {
+        page.heading(3, "Assumptions");
+        page.text("What no source states, and what is taken to be so.");
+        page.table(assumption_table(context, assumptions));
+    }
+    page
 }
+
+/// What the words and marks beside a source mean.
+const MARKS: &str = "\
+Beside a source stands what it does not state: *profile* names what a standard profile says, *assumed* what no source says,
+*corrected* and *contradicted* what the source says and an erratum answers. In tables † stands for the profile and ‡ for an
+assumption.";
 
 fn document_table(context: &Context<'_>, documents: &[Document]) -> Table {
     let titles = ["Document", "Number", "Edition", "Publisher", "Use"];
@@ -68,16 +55,16 @@ fn document_table(context: &Context<'_>, documents: &[Document]) -> Table {
     })
 }
 
-fn erratum_view(context: &Context<'_>, erratum: &Erratum) -> ErratumView {
-    ErratumView {
-        at: context.prose(&erratum.at.to_string()),
-        says: says(context, erratum),
-        holds: holds(context, erratum),
-        why: sentence(&context.prose(&erratum.why)),
-        rule: code(&erratum.rule),
-        anchor: anchor(erratum_id(erratum)),
-        source: context.source_line(erratum.source.as_ref()),
-    }
+fn erratum(context: &Context<'_>, erratum: &Erratum) -> String {
+    let (at, rule) = (context.prose(&erratum.at.to_string()), code(&erratum.rule));
+    let (says, holds) = (says(context, erratum), holds(context, erratum));
+    let why = sentence(&context.prose(&erratum.why));
+    let line = format!(
+        "{}**{at}** ({rule}). *The source says:* {says} *What holds:* {holds} *Why:* {why} {}",
+        anchor(erratum_id(erratum)),
+        context.source_line(erratum.source.as_ref())
+    );
+    line.trim_end().to_owned()
 }
 
 /// What is so, if anybody knows.

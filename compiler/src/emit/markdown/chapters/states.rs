@@ -3,46 +3,43 @@
 pub(super) mod control;
 mod diagram;
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Answer, Command, DeviceControl, Event, Pattern, Scope, State, Transition};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    diagram: String,
-    states: Table,
-    functions: Table,
-    commands: Table,
-    transitions: Table,
-    control: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [State], &'d [Command], &'d [Transition], Option<&'d DeviceControl>);
-
-    const ID: &'static str = "states";
-    const TITLE: &'static str = "Drive states";
-    const TEMPLATE: &'static str = include_str!("../templates/states.md.j2");
-
-    fn view(
-        context: &Context<'_>,
-        (states, commands, transitions, control): Self::Parts<'_>,
-    ) -> Option<Self> {
-        let shown = !(states.is_empty() && commands.is_empty() && transitions.is_empty());
-        shown.then(|| Self {
-            diagram: diagram::diagram(context.device),
-            states: state_table(context, states),
-            functions: functions(context, states),
-            commands: command_table(context, commands),
-            transitions: transition_table(context, transitions),
-            control: control.map_or(String::new(), |control| control::commands(context, control)),
-        })
+/// The state machine of the drive.
+pub(super) fn page(
+    context: &Context<'_>,
+    states: &[State],
+    commands: &[Command],
+    transitions: &[Transition],
+    control: Option<&DeviceControl>,
+) -> Page {
+    let mut page = Page::default();
+    if states.is_empty() && commands.is_empty() && transitions.is_empty() {
+        return page;
     }
+    let diagram = diagram::diagram(context.device);
+    if !diagram.is_empty() {
+        page.lines(format!("```mermaid\n{diagram}\n```"));
+    }
+    page.titled("States", state_table(context, states));
+    page.titled("What works in which state", functions(context, states));
+    if !commands.is_empty() {
+        page.heading(3, "Commands");
+        page.table(command_table(context, commands));
+        page.text(PATTERNS);
+    }
+    page.titled("Transitions", transition_table(context, transitions));
+    control.iter().for_each(|control| control::commands(context, control, &mut page));
+    page
 }
+
+/// How patterns of bits are to be read.
+const PATTERNS: &str = "In patterns `x` is a bit that does not matter, `r` a rising and `f` a falling edge; the highest bit \
+                        comes first.";
 
 fn state_table(context: &Context<'_>, states: &[State]) -> Table {
     let statusword = word(context, "statusword", "Statusword");

@@ -1,46 +1,27 @@
 //! How the device keeps time with the master.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::duration;
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{CycleTime, DeadTime, SyncMode, SyncSignal};
 
 /// The cycles that the dead time is worked out for.
 const EXAMPLES_NS: [u64; 2] = [1_000_000, 2_000_000];
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    modes: Table,
-    cycle_times: Table,
-    dead_time: Option<DeadTimeView>,
-}
-
-#[derive(Serialize)]
-struct DeadTimeView {
-    formula: String,
-    about: String,
-    examples: Table,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = (&'d [SyncMode], &'d [CycleTime], Option<&'d DeadTime>);
-
-    const ID: &'static str = "synchronisation";
-    const TITLE: &'static str = "Synchronisation";
-    const TEMPLATE: &'static str = include_str!("../templates/synchronisation.md.j2");
-
-    fn view(context: &Context<'_>, (sync_modes, times, dead_time): Self::Parts<'_>) -> Option<Self> {
-        let dead_time = dead_time.map(|dead_time| dead_time_view(context, dead_time));
-        let view =
-            Self { modes: modes(context, sync_modes), cycle_times: cycle_times(context, times), dead_time };
-        let shown = !view.modes.is_empty() || !view.cycle_times.is_empty() || view.dead_time.is_some();
-        shown.then_some(view)
-    }
+/// How the device keeps time with the master.
+pub(super) fn page(
+    context: &Context<'_>,
+    sync_modes: &[SyncMode],
+    times: &[CycleTime],
+    dead_time: Option<&DeadTime>,
+) -> Page {
+    let mut page = Page::default();
+    page.table(modes(context, sync_modes));
+    page.table(cycle_times(context, times));
+    dead_time.iter().for_each(|dead_time| self::dead_time(context, dead_time, &mut page));
+    page
 }
 
 fn modes(context: &Context<'_>, sync_modes: &[SyncMode]) -> Table {
@@ -90,14 +71,13 @@ fn cycle_times(context: &Context<'_>, times: &[CycleTime]) -> Table {
     })
 }
 
-fn dead_time_view(context: &Context<'_>, dead_time: &DeadTime) -> DeadTimeView {
-    DeadTimeView {
-        formula: format!("dead time = {} × cycle time + {}", dead_time.cycles, duration(dead_time.plus.0)),
-        about: context.paragraphs(dead_time.about.as_deref()),
-        examples: Table::of(["Cycle time", "Dead time"], EXAMPLES_NS, |cycle| {
-            let total = u64::from(dead_time.cycles) * cycle + dead_time.plus.0;
-            [duration(cycle), format!("**{}**", duration(total))]
-        }),
-        source: context.said_line(dead_time.source.as_ref(), &dead_time.origin),
-    }
+fn dead_time(context: &Context<'_>, dead_time: &DeadTime, page: &mut Page) {
+    page.heading(3, "Dead time");
+    page.text(context.paragraphs(dead_time.about.as_deref()));
+    page.text(format!("> dead time = {} × cycle time + {}", dead_time.cycles, duration(dead_time.plus.0)));
+    page.table(Table::of(["Cycle time", "Dead time"], EXAMPLES_NS, |cycle| {
+        let total = u64::from(dead_time.cycles) * cycle + dead_time.plus.0;
+        [duration(cycle), format!("**{}**", duration(total))]
+    }));
+    page.text(context.said_line(dead_time.source.as_ref(), &dead_time.origin));
 }

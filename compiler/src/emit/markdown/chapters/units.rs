@@ -1,46 +1,28 @@
 //! What raw numbers mean, with an example that can be checked by hand.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::Chapter;
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{anchor, text};
 use crate::emit::markdown::number::{decimal, fraction, grouped};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{AxisUnit, Path, Scale, Unit};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    units: Table,
-}
-
-impl Chapter for View {
-    type Parts<'d> = &'d [Unit];
-
-    const ID: &'static str = "units";
-    const TITLE: &'static str = "Units and scaling";
-    const TEMPLATE: &'static str = include_str!("../templates/units.md.j2");
-
-    fn view(context: &Context<'_>, all: Self::Parts<'_>) -> Option<Self> {
-        let titles = [
-            "Quantity",
-            "Travels in",
-            "Axes",
-            "Unit",
-            "Raw per unit",
-            "Example",
-            "Factor",
-            "Notes",
-            "Source",
-        ];
-        let mut units = Table::new(titles);
-        for unit in all {
-            for (number, (axes, on_axis)) in groups(unit).into_iter().enumerate() {
-                units.row(row(context, unit, number == 0, &axes, on_axis));
-            }
+/// What raw numbers stand for.
+pub(super) fn page(context: &Context<'_>, all: &[Unit]) -> Page {
+    let titles =
+        ["Quantity", "Travels in", "Axes", "Unit", "Raw per unit", "Example", "Factor", "Notes", "Source"];
+    let mut units = Table::new(titles);
+    for unit in all {
+        for (number, (axes, on_axis)) in groups(unit).into_iter().enumerate() {
+            units.row(row(context, unit, number == 0, &axes, on_axis));
         }
-        (!units.is_empty()).then_some(Self { units })
     }
+    let mut page = Page::default();
+    if !units.is_empty() {
+        page.text("A raw number, as it travels, is the physical value times the raw steps per unit.");
+        page.table(units);
+    }
+    page
 }
 
 /// The axes that share a unit; no axes if all do.

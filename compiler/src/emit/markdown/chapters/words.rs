@@ -1,57 +1,26 @@
 //! Words made of bits.
 
-use serde::Serialize;
-
-use crate::emit::markdown::chapter::{Chapter, Section};
 use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::inline::{code, link, text};
 use crate::emit::markdown::number::width;
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Field, Meaning, Word};
 
-#[derive(Serialize)]
-pub(in crate::emit::markdown) struct View {
-    words: Vec<WordView>,
+/// What the bits of words mean.
+pub(super) fn page(context: &Context<'_>, words: &[Word]) -> Page {
+    let mut page = Page::default();
+    words.iter().for_each(|word| self::word(context, word, &mut page));
+    page
 }
 
-#[derive(Serialize)]
-struct WordView {
-    anchor: String,
-    name: String,
-    facts: String,
-    about: String,
-    fields: Table,
-    source: String,
-}
-
-impl Chapter for View {
-    type Parts<'d> = &'d [Word];
-
-    const ID: &'static str = "words";
-    const TITLE: &'static str = "Words";
-    const TEMPLATE: &'static str = include_str!("../templates/words.md.j2");
-
-    fn view(context: &Context<'_>, words: Self::Parts<'_>) -> Option<Self> {
-        let words: Vec<WordView> = words.iter().map(|word| word_view(context, word)).collect();
-        (!words.is_empty()).then_some(Self { words })
-    }
-
-    fn sections(&self) -> Vec<Section> {
-        let section = |word: &WordView| Section { title: word.name.clone(), anchor: word.anchor.clone() };
-        self.words.iter().map(section).collect()
-    }
-}
-
-fn word_view(context: &Context<'_>, word: &Word) -> WordView {
+fn word(context: &Context<'_>, word: &Word, page: &mut Page) {
     let Word { id, name, address, bits, fields, about, source, origin } = word;
-    WordView {
-        anchor: context.word_id(id),
-        name: text(name),
-        facts: format!("The {} of {}.", width(*bits), context.named(*address)),
-        about: context.paragraphs(about.as_deref()),
-        fields: table("Bit", fields, |field| meaning(context, word, field)),
-        source: context.said_line(source.as_ref(), origin),
-    }
+    page.place(3, context.word_id(id), text(name));
+    let facts = format!("The {} of {}.", width(*bits), context.named(*address));
+    page.text(format!("{facts} {}", context.paragraphs(about.as_deref())));
+    page.table(table("Bit", fields, |field| meaning(context, word, field)));
+    page.text(context.said_line(source.as_ref(), origin));
 }
 
 /// A table of fields. Neighbours that are reserved without another word share a row.

@@ -34,7 +34,7 @@ pub(super) fn align<T>(
                 next = place;
                 continue;
             }
-            let like = |unit: &Unit<T>| unit.items.iter().any(|(_, other)| akin(other, &item));
+            let like = |unit: &Unit<T>| unit.takes(member, &item, &akin);
             next = units.iter().rposition(like).map_or(next, |place| place + 1);
             units.insert(next.min(units.len()), Unit { items: vec![(member, item)] });
         }
@@ -59,6 +59,14 @@ mod tests {
         assert_eq!(
             aligned([&["a", "b", "d"], &["a", "c", "d", "e"]]),
             [("a", both.clone()), ("b", vec![0]), ("c", vec![1]), ("d", both), ("e", vec![1])]
+        );
+    }
+
+    #[test]
+    fn what_one_member_has_stays_in_its_order() {
+        assert_eq!(
+            aligned([&["x", "a1", "a2"], &["x", "a1", "a2"]]),
+            [("x", vec![0, 1]), ("a1", vec![0, 1]), ("a2", vec![0, 1])]
         );
     }
 

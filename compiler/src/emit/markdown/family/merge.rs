@@ -4,23 +4,23 @@
 use std::collections::BTreeSet;
 
 use super::align::{Unit, align};
-use super::blocks::{Block, Section};
 use super::names::Names;
+use super::sections::{Led, Section, leads_up};
 use super::{rows, sentences};
-use crate::emit::markdown::table::Table;
+use crate::emit::markdown::page::{Block, Page};
 
 /// The references being brought together.
 struct Merge<'n> {
     names: Names<'n>,
-    text: String,
+    page: Page,
 }
 
 /// Brings the references of members into one, where `names` are the words for them.
-pub(super) fn merge(names: &[String], texts: &[String]) -> String {
-    let sections = texts.iter().map(|text| Section::split(text)).enumerate();
-    let same = |one: &Section<'_>, other: &Section<'_>| one.heading == other.heading;
-    let akin = |one: &Section<'_>, other: &Section<'_>| one.anchor.is_some() && one.anchor == other.anchor;
-    let mut merge = Merge { names: Names(names), text: String::new() };
+pub(super) fn merge(names: &[String], pages: Vec<Page>) -> Page {
+    let sections = pages.into_iter().map(Section::split).enumerate();
+    let same = |one: &Section, other: &Section| one.heading == other.heading;
+    let akin = |one: &Section, other: &Section| one.anchor().is_some() && one.anchor() == other.anchor();
+    let mut merge = Merge { names: Names(names), page: Page::default() };
     let mut open: Vec<(usize, Vec<usize>)> = vec![(0, (0..names.len()).collect())];
     for unit in align(sections, same, akin) {
         let level = unit.items.first().map_or(0, |(_, section)| section.level());
@@ -29,65 +29,83 @@ pub(super) fn merge(names: &[String], texts: &[String]) -> String {
         open.push((level, unit.members()));
         merge.section(unit, &around);
     }
-    first_anchors(&merge.text)
+    merge.page
 }
 
 impl Merge<'_> {
-    fn section(&mut self, unit: Unit<Section<'_>>, around: &[usize]) {
+    fn section(&mut self, unit: Unit<Section>, around: &[usize]) {
         let members = unit.members();
-        if let Some((_, section)) = unit.items.first() {
-            self.block(section.heading);
-        }
+        let heading = unit.items.first().and_then(|(_, section)| section.heading.clone());
+        self.page.0.extend(heading.map(Block::Heading));
         if members != around {
-            self.block(&format!("*Only {}.*", self.names.running(&members)));
+            self.page.text(format!("*Only {}.*", self.names.running(&members)));
         }
         let blocks = unit.items.into_iter().map(|(member, section)| (member, section.blocks));
         let mut told = members.clone();
-        for unit in align(blocks, Block::is_version, |_, _| false) {
+        for unit in align(blocks, Led::is_version, |_, _| false) {
             // A caption has said already for whom the next block is.
-            let around = if self.text.ends_with(":\n\n") { &told } else { &members };
-            self.unit(&unit, around);
+            let is_told = self.page.0.last().and_then(leads_up).is_some();
+            self.unit(&unit, if is_told { &told } else { &members });
             told = unit.members();
         }
     }
 
     /// A block, or what members make of it; named are those that have it, unless all `around` do.
-    fn unit(&mut self, unit: &Unit<Block<'_>>, around: &[usize]) {
+    fn unit(&mut self, unit: &Unit<Led>, around: &[usize]) {
         let members = unit.members();
-        let Some((_, first)) = unit.items.first() else { return };
-        let text = self.versions(unit, first);
-        let running = first.text.starts_with(|c: char| c.is_alphabetic() || matches!(c, '*' | '[' | '<'));
+        let Some(block) = self.versions(unit) else { return };
         let label = format!("*{}:*", self.names.running(&members));
-        match members == around {
-            true => self.block(&text),
-            false if running => self.block(&format!("{label} {text}")),
-            false => [label, text].iter().for_each(|block| self.block(block)),
+        match block {
+            block if members == around => self.page.0.push(block),
+            Block::Text(text) if is_running(&text) => self.page.text(format!("{label} {text}")),
+            block => {
+                self.page.text(label);
+                self.page.0.push(block);
+            }
         }
     }
 
-    fn versions(&self, unit: &Unit<Block<'_>>, first: &Block<'_>) -> String {
-        let texts = || unit.items.iter().map(|(member, block)| (*member, block.text));
-        if texts().all(|(_, text)| text == first.text) {
-            return first.text.to_owned();
+    /// What becomes of the versions of a block.
+    fn versions(&self, unit: &Unit<Led>) -> Option<Block> {
+        let blocks = || unit.items.iter().map(|(member, led)| (*member, &led.block));
+        let (_, first) = blocks().next()?;
+        if blocks().all(|(_, block)| block == first) {
+            return Some(first.clone());
         }
-        let texts: Vec<(usize, &str)> = texts().collect();
-        if first.is_table() {
-            let tables: Vec<(usize, Table)> =
-                texts.into_iter().map(|(member, text)| (member, Table::parse(text))).collect();
-            return rows::merge(&self.names, &tables).to_string().trim_end().to_owned();
-        }
-        let merge = if first.is_list() { sentences::list } else { sentences::text };
-        merge(&self.names, &texts)
-    }
-
-    fn block(&mut self, text: &str) {
-        self.text.push_str(text);
-        self.text.push_str("\n\n");
+        Some(match first {
+            Block::Table(_) => {
+                let tables = blocks().filter_map(|(member, block)| match block {
+                    Block::Table(table) => Some((member, table)),
+                    _ => None,
+                });
+                Block::Table(rows::merge(&self.names, &tables.collect::<Vec<_>>()))
+            }
+            Block::List(_) => {
+                let lists = blocks().filter_map(|(member, block)| match block {
+                    Block::List(items) => Some((member, items.iter().collect())),
+                    _ => None,
+                });
+                Block::List(sentences::list(&self.names, lists.collect()))
+            }
+            Block::Text(_) => {
+                let texts = blocks().filter_map(|(member, block)| match block {
+                    Block::Text(text) => Some((member, text.as_str())),
+                    _ => None,
+                });
+                Block::Text(sentences::text(&self.names, &texts.collect::<Vec<_>>()))
+            }
+            Block::Heading(_) | Block::Lines(_) => first.clone(),
+        })
     }
 }
 
+/// Whether a paragraph can go on behind a label: it is no quotation, and begins with no code.
+fn is_running(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_alphabetic() || matches!(c, '*' | '[' | '<'))
+}
+
 /// The text with only the first of several anchors of the same name: versions of a thing stand together.
-fn first_anchors(text: &str) -> String {
+pub(in crate::emit::markdown) fn first_anchors(text: &str) -> String {
     let mut seen = BTreeSet::new();
     let mut parts = text.split("<a id=\"");
     let mut out = parts.next().unwrap_or("").to_owned();

@@ -14,7 +14,7 @@ type Cell<'t> = Option<&'t str>;
 type Group<'t> = Vec<Vec<Cell<'t>>>;
 
 /// Tables as one. A row that not all members have names them; so do the versions of a cell, and a column.
-pub(super) fn merge(names: &Names<'_>, versions: &[(usize, Table)]) -> Table {
+pub(super) fn merge(names: &Names<'_>, versions: &[(usize, &Table)]) -> Table {
     let members: Vec<usize> = versions.iter().map(|(member, _)| *member).collect();
     let titles = versions.iter().map(|(member, table)| (*member, table.titles().collect()));
     let columns = align(titles, |one: &&str, other: &&str| one == other, |_, _| false);
@@ -105,19 +105,21 @@ fn versions<'t>(names: &Names<'_>, cells: impl Iterator<Item = (usize, &'t str)>
 mod tests {
     use super::*;
 
-    fn merged(one: &str, other: &str) -> String {
+    fn table(titles: &[&str], rows: &[&[&str]]) -> Table {
+        let mut table = Table::new(titles.iter().copied());
+        rows.iter().for_each(|row| table.row(row.iter().copied().map(String::from)));
+        table
+    }
+
+    fn merged(one: Table, other: Table) -> String {
         let names = ["A".to_owned(), "B".to_owned()];
-        let versions = [(0, Table::parse(one)), (1, Table::parse(other))];
-        merge(&Names(&names), &versions).to_string()
+        merge(&Names(&names), &[(0, &one), (1, &other)]).to_string()
     }
 
     #[test]
     fn a_row_that_one_member_has_names_it() {
         assert_eq!(
-            merged(
-                "| X | Y |\n| --- | --- |\n| a | b |\n| c | d |\n",
-                "| X | Y |\n| --- | --- |\n| a | b |\n"
-            ),
+            merged(table(&["X", "Y"], &[&["a", "b"], &["c", "d"]]), table(&["X", "Y"], &[&["a", "b"]])),
             "| X | Y | Members |\n| --- | --- | --- |\n| a | b |  |\n| c | d | A |\n"
         );
     }
@@ -125,10 +127,7 @@ mod tests {
     #[test]
     fn a_cell_has_versions_and_a_column_has_members() {
         assert_eq!(
-            merged(
-                "| X | Y |\n| --- | --- |\n| a | b |\n",
-                "| X | Y | Z |\n| --- | --- | --- |\n| a | c | d |\n"
-            ),
+            merged(table(&["X", "Y"], &[&["a", "b"]]), table(&["X", "Y", "Z"], &[&["a", "c", "d"]])),
             "| X | Y | Z (B) |\n| --- | --- | --- |\n| a | b *(A)*<br>c *(B)* | d |\n"
         );
     }

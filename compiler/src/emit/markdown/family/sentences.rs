@@ -2,17 +2,21 @@
 
 use super::align::{Unit, align};
 use super::names::Names;
+use crate::emit::markdown::page::Item;
 
-/// A list whose lines are not all the same.
-pub(super) fn list(names: &Names<'_>, versions: &[(usize, &str)]) -> String {
+/// A list whose items are not all the same.
+pub(super) fn list(names: &Names<'_>, versions: Vec<(usize, Vec<&Item>)>) -> Vec<Item> {
     let members: Vec<usize> = versions.iter().map(|(member, _)| *member).collect();
-    let lines = versions.iter().map(|(member, text)| (*member, text.lines().collect()));
-    let lines = align(lines, |one: &&str, other: &&str| is_version(one, other), |_, _| false);
-    let lines = lines.iter().map(|unit| {
-        let text = text(names, &unit.items);
-        format!("{text}{}", names.remark(&unit.members(), &members))
+    let same = |one: &&Item, other: &&Item| one.depth == other.depth && is_version(&one.text, &other.text);
+    let items = align(versions, same, |_, _| false);
+    let items = items.iter().filter_map(|unit| {
+        let (_, first) = unit.items.first()?;
+        let texts: Vec<(usize, &str)> =
+            unit.items.iter().map(|(member, item)| (*member, &*item.text)).collect();
+        let text = format!("{}{}", text(names, &texts), names.remark(&unit.members(), &members));
+        Some(Item { depth: first.depth, text })
     });
-    lines.collect::<Vec<_>>().join("\n")
+    items.collect()
 }
 
 /// Text with each sentence once; one that not all have says who has it.
@@ -65,11 +69,17 @@ mod tests {
     #[test]
     fn a_sentence_that_not_all_have_says_who_has_it() {
         let names = ["A".to_owned(), "B".to_owned()];
-        let versions = [(0, "- **x**: One. Mapped in 1. Last."), (1, "- **x**: One. Mapped in 2. Last.")];
+        let item = |text: &str| Item { depth: 0, text: text.to_owned() };
+        let lists = [item("**x**: One. Mapped in 1. Last."), item("**x**: One. Mapped in 2. Last.")];
+        let [one, other] = &lists;
         assert_eq!(
-            list(&Names(&names), &versions),
-            "- **x**: One. Mapped in 1. *(A)* Mapped in 2. *(B)* Last."
+            list(&Names(&names), vec![(0, vec![one]), (1, vec![other])]),
+            [item("**x**: One. Mapped in 1. *(A)* Mapped in 2. *(B)* Last.")]
         );
-        assert_eq!(list(&Names(&names), &[(0, "- a\n- b"), (1, "- b")]), "- a *(A)*\n- b");
+        let (a, b) = (item("a"), item("b"));
+        assert_eq!(
+            list(&Names(&names), vec![(0, vec![&a, &b]), (1, vec![&b])]),
+            [item("a *(A)*"), item("b")]
+        );
     }
 }

@@ -21,7 +21,7 @@ use quote::quote;
 
 use super::braces::braces;
 use super::{Options, tokens};
-use crate::emit::Emitter;
+use crate::emit::{Emitter, Files};
 use crate::lint::Checked;
 use crate::model::Family;
 use crate::text::characters::{harmless, line};
@@ -41,8 +41,16 @@ impl Emitter for Rust {
         "Rust without std: typed dictionary, process data, words, states, errors"
     }
 
-    fn emit(&self, family: &Checked<Family>, _: &crate::emit::Options) -> String {
-        text(family, &Options::default())
+    fn ends(&self) -> &'static [&'static str] {
+        &[".rs"]
+    }
+
+    fn is_default(&self) -> bool {
+        true
+    }
+
+    fn emit(&self, family: &Checked<Family>, _: &crate::emit::Options) -> Files {
+        Files::one(format!("{}.rs", family.id), text(family, &Options::default()))
     }
 }
 

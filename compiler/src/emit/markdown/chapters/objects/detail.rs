@@ -1,10 +1,9 @@
 //! What there is to say of an object beyond its line in the table.
 
-use serde::Serialize;
-
 use super::{is_mapping, overview, per_axis};
 use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
+use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
 use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
 use crate::source::Origin;
@@ -14,26 +13,7 @@ pub(super) enum Detail {
     /// No more than a paragraph.
     Brief(String),
     /// Entries or values of their own.
-    Full(ObjectView),
-}
-
-/// An object with entries or values to be explained.
-#[derive(Serialize)]
-pub(super) struct ObjectView {
-    anchor: String,
-    index: String,
-    name: String,
-    about: String,
-    entries: Vec<String>,
-    values: Vec<ValuesView>,
-    source: String,
-}
-
-/// What the values of an entry mean.
-#[derive(Serialize)]
-struct ValuesView {
-    caption: String,
-    table: Table,
+    Full(Page),
 }
 
 /// What there is to say of an object, if there is anything; its source unless it is that of the whole area.
@@ -43,8 +23,8 @@ pub(super) fn detail(context: &Context<'_>, object: &Object, common: Option<&Sou
     }
     let about = statements(context, object).join(" ");
     let entries = entries(context, object);
-    let values: Vec<ValuesView> =
-        object.entries.iter().filter_map(|entry| values(context, object, entry)).collect();
+    let mut values = Page::default();
+    object.entries.iter().for_each(|entry| self::values(context, object, entry, &mut values));
     let source = context.source_line(object.source.as_ref().filter(|source| Some(*source) != common));
     let (index, name) = (code(object.index), text(&object.name));
     let id = context.object_id(object);
@@ -54,7 +34,13 @@ pub(super) fn detail(context: &Context<'_>, object: &Object, common: Option<&Sou
             format!("{}{index} **{name}**: {about} {source}", anchor(id)).trim_end().into(),
         )),
         (_, false) => {
-            Some(Detail::Full(ObjectView { anchor: id, index, name, about, entries, values, source }))
+            let mut page = Page::default();
+            page.place(4, id, format!("{index} {name}"));
+            page.text(about);
+            page.list(entries);
+            page.append(values);
+            page.text(source);
+            Some(Detail::Full(page))
         }
     }
 }
@@ -221,14 +207,17 @@ fn uses(context: &Context<'_>, object: &Object) -> Vec<String> {
     lines.map(|(title, what)| format!("{title} {what}.")).collect()
 }
 
-fn values(context: &Context<'_>, object: &Object, entry: &Entry) -> Option<ValuesView> {
-    let table = Table::of(["Value", "Meaning", "In full"], &entry.values, |meaning| {
+/// What the values of an entry mean.
+fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page) {
+    if overview::is_count(object, entry) || entry.values.is_empty() {
+        return;
+    }
+    if !is_single(object) {
+        let subindex = code(format!(":{:02X}", entry.address.subindex));
+        page.text(format!("{subindex} **{}**:", text(&entry.name)));
+    }
+    page.table(Table::of(["Value", "Meaning", "In full"], &entry.values, |meaning| {
         let about = context.optional(meaning.about.as_deref());
         [context.number_of(entry, meaning.value.into()), text(&meaning.name), about]
-    });
-    let subindex = code(format!(":{:02X}", entry.address.subindex));
-    let caption =
-        if is_single(object) { String::new() } else { format!("{subindex} **{}**:", text(&entry.name)) };
-    let hidden = overview::is_count(object, entry) || table.is_empty();
-    (!hidden).then_some(ValuesView { caption, table })
+    }));
 }

@@ -2,10 +2,11 @@
 
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::list;
+use crate::emit::markdown::page::Page;
 use crate::model::{DeviceControl, Refusal};
 
 /// What becomes of a wrong command.
-pub(super) fn commands(context: &Context<'_>, control: &DeviceControl) -> String {
+pub(super) fn commands(context: &Context<'_>, control: &DeviceControl, page: &mut Page) {
     // What is left out stands beside the changes of mode.
     let DeviceControl { wrong_command, about, source, wrong_mode: _, modes_selectable_in: _, origin } =
         control;
@@ -15,13 +16,17 @@ pub(super) fn commands(context: &Context<'_>, control: &DeviceControl) -> String
             "A command that leads nowhere in the present state, or bits that make none, are a fault: transition 13."
         }
     };
-    let lines =
-        [refusal.into(), context.paragraphs(about.as_deref()), context.said_line(source.as_ref(), origin)];
-    paragraphs(&lines)
+    page.text(refusal);
+    page.text(context.paragraphs(about.as_deref()));
+    page.text(context.said_line(source.as_ref(), origin));
 }
 
 /// When a mode can be selected, and what becomes of a wrong one.
-pub(in crate::emit::markdown::chapters) fn modes(context: &Context<'_>, control: &DeviceControl) -> String {
+pub(in crate::emit::markdown::chapters) fn modes(
+    context: &Context<'_>,
+    control: &DeviceControl,
+    page: &mut Page,
+) {
     // What is left out stands beside the commands.
     let DeviceControl { wrong_mode, modes_selectable_in, source, wrong_command: _, about: _, origin } =
         control;
@@ -34,10 +39,6 @@ pub(in crate::emit::markdown::chapters) fn modes(context: &Context<'_>, control:
         Refusal::Ignored => "A change that the drive does not make is ignored.",
         Refusal::Fault => "A change that the drive does not make is a fault: transition 13.",
     };
-    paragraphs(&[format!("{selectable} {refusal}").trim().into(), context.said_line(source.as_ref(), origin)])
-}
-
-fn paragraphs(lines: &[String]) -> String {
-    let written: Vec<&str> = lines.iter().map(String::as_str).filter(|line| !line.is_empty()).collect();
-    written.join("\n\n")
+    page.text(format!("{selectable} {refusal}"));
+    page.text(context.said_line(source.as_ref(), origin));
 }
