@@ -21,13 +21,16 @@ pub mod lint;
 pub mod model;
 mod profiles;
 pub mod raw;
+// some of it only the server for editors asks
 #[cfg(feature = "cli")]
+#[cfg_attr(not(feature = "lsp"), allow(dead_code))]
 pub mod reference;
 mod resolve;
 pub mod rules;
 pub mod source;
 pub mod text;
 #[cfg(feature = "cli")]
+#[cfg_attr(not(feature = "lsp"), allow(dead_code, unused_imports))]
 mod written;
 
 pub use compile::{Compilation, Stage, compile, compile_with};
