@@ -135,14 +135,14 @@ fn examples_mean_the_same() {
 fn edited_descriptions_mean_the_same() {
     let mut random = Random(0x2545_F491_4F6C_DD1D);
     for files in shipped() {
-        for round in 0..3 {
+        for round in 0..2 {
             let mut edited = files.clone();
             for _ in 0..25 {
                 let place = random.below(edited.len());
                 let text = edited.values_mut().nth(place).expect("a file");
                 // most of what is left out or doubled ends in an error, which leaves no outputs to compare
                 let kind =
-                    if round < 2 { LAYOUT + random.below(KINDS - LAYOUT) } else { random.below(KINDS) };
+                    if round == 0 { LAYOUT + random.below(KINDS - LAYOUT) } else { random.below(KINDS) };
                 let new = edit(text, kind, &mut random);
                 // what is not TOML is left alone, which needs no compiler to see
                 if format("a.toml", &new).is_ok() {
