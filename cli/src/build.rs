@@ -18,6 +18,7 @@ use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
 use super::report::{Report, counts, verdict};
 use super::timings::Timings;
+use super::watch::watch;
 use super::workers::Workers;
 use super::workplace::Workplace;
 use super::write::{Plan, make_folder};
@@ -59,6 +60,10 @@ pub(super) struct Build {
     /// Print what each stage costs, on one core.
     #[arg(long)]
     timings: bool,
+
+    /// Build again whenever a file of the descriptions changes, until stopped.
+    #[arg(long, conflicts_with = "timings")]
+    watch: bool,
 }
 
 /// The word for the outputs that are made of themselves, and that for every one.
@@ -85,12 +90,20 @@ struct Made {
 
 impl Build {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
+        let paths = descriptions(&self.paths, report)?;
+        if self.watch {
+            return watch(report, || self.all(&paths, report));
+        }
+        self.all(&paths, report).map(|(outcome, _)| outcome)
+    }
+
+    /// Builds all descriptions once, and tells which files were read.
+    fn all(&self, paths: &[PathBuf], report: &Report) -> Result<(Outcome, Vec<PathBuf>), Failure> {
         let levels = self.levels.levels()?;
-        let paths = descriptions(&self.paths)?;
         // Before anything is read, so that the last of several runs leaves what the descriptions say then.
         let place = if self.check { None } else { Some(self.enter(report)?) };
         let workers = if self.timings { Workers::ONE } else { Workers::all() };
-        let mut made = workers.map(&paths, |path| self.make(path, &levels, workers));
+        let mut made = workers.map(paths, |path| self.make(path, &levels, workers));
         let mut outcome = Outcome::Clean;
         let mut built = BTreeMap::new();
         for (path, made) in paths.iter().zip(&mut made) {
@@ -100,7 +113,9 @@ impl Build {
             let end = self.finish(path, made, &mut built, place.as_ref(), report);
             outcome = outcome.max(end.unwrap_or_else(|failure| report.failure(&failure)));
         }
-        Ok(outcome)
+        let read = made.into_iter().flat_map(|made| made.compilation.files);
+        // a description that cannot be read may come to be
+        Ok((outcome, read.chain(paths.iter().cloned()).collect()))
     }
 
     /// Makes the output folder if need be, and holds it.

@@ -64,7 +64,7 @@ impl Check {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let levels = self.levels.levels()?;
         let compile = |path: &PathBuf| devc::compile_with(&Disk, path, &levels, &mut |_| ());
-        let paths = descriptions(&self.paths)?;
+        let paths = descriptions(&self.paths, report)?;
         let mut outcome = Outcome::Clean;
         for path in paths.iter().filter(|_| self.fix) {
             match fix(&compile(path), report) {

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use devc::format::format;
 use devc::import::{Choice, Imported, Refusal, import};
 use devc::source::{MAX_SIZE, plain};
 
@@ -59,7 +60,12 @@ impl Import {
         let out = self.out.clone().unwrap_or_else(|| Path::new("devices").join(&imported.id));
         let file = self.file.display().to_string();
         let losses = self.report.as_ref().map(|path| (path, imported.report.json(&file)));
-        let files = imported.files.iter().map(|(name, text)| (out.join(name), text.as_str()));
+        let laid_out = imported
+            .files
+            .iter()
+            .map(|(name, text)| (out.join(name), format(name, text).unwrap_or_else(|_| text.clone())));
+        let laid_out: Vec<(PathBuf, String)> = laid_out.collect();
+        let files = laid_out.iter().map(|(path, text)| (path.clone(), text.as_str()));
         let losses = losses.iter().map(|(path, text)| ((*path).clone(), text.as_str()));
         self.write(&files.chain(losses).collect::<Vec<_>>(), report)?;
         report.message(imported.report.text(&file).trim_end());

@@ -5,15 +5,22 @@
 mod baseline;
 mod build;
 mod check;
+mod completions;
 mod diff;
 mod draft;
+mod edited;
 mod existing;
 mod explain;
 mod fix;
+mod fmt;
 mod git;
 mod import;
+mod init;
 mod levels;
 mod limit;
+#[cfg(feature = "lsp")]
+mod lsp;
+mod man;
 mod names;
 mod new;
 mod outcome;
@@ -25,6 +32,7 @@ mod run;
 mod schema;
 mod sums;
 mod timings;
+mod watch;
 mod workers;
 mod workplace;
 mod write;
@@ -45,6 +53,10 @@ struct Arguments {
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
     color: ColorChoice,
 
+    /// Say only what is wrong, not what was done.
+    #[arg(long, short, global = true)]
+    quiet: bool,
+
     #[command(subcommand)]
     command: Command,
 }
@@ -53,9 +65,15 @@ struct Arguments {
 enum Command {
     Build(build::Build),
     Check(check::Check),
+    Completions(completions::Completions),
     Diff(diff::Diff),
     Explain(explain::Explain),
+    Fmt(fmt::Fmt),
     Import(import::Import),
+    Init(init::Init),
+    #[cfg(feature = "lsp")]
+    Lsp(lsp::Lsp),
+    Man(man::Man),
     New(new::New),
     Rules(rules::Rules),
     #[cfg(unix)]
@@ -69,6 +87,7 @@ Examples:
   devc build                      make the outputs of every description under devices/
   devc build devices/c887         make those of one
   devc check devices/c887         only say what is wrong with it
+  devc fmt devices/c887           lay out its files
   devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
   devc explain 0x6064             what the profiles say of an index, a code or a name
@@ -88,6 +107,7 @@ Examples:
   devc check --format sarif       say it for a machine
   devc check --baseline known.json --update-baseline
                                   start from what is known today, then leave out the second option
+  devc fmt --check                say which files are not laid out, and write nothing
   devc diff old new --gate        whether the revision number announces what has changed
   devc diff main.. devices/c887   what has changed since a revision of git, and whom it breaks
   devc explain unknown-key        what a message means, with an example
@@ -107,13 +127,19 @@ Exit codes:
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let report = Report::new(arguments.color);
+    let report = Report::new(arguments.color, arguments.quiet);
     let outcome = match &arguments.command {
         Command::Build(build) => build.run(&report),
         Command::Check(check) => check.run(&report),
+        Command::Completions(completions) => completions.run(&report),
         Command::Diff(diff) => diff.run(&report),
         Command::Explain(explain) => explain.run(&report),
+        Command::Fmt(fmt) => fmt.run(&report),
         Command::Import(import) => import.run(&report),
+        Command::Init(init) => init.run(&report),
+        #[cfg(feature = "lsp")]
+        Command::Lsp(lsp) => lsp.run(&report),
+        Command::Man(man) => man.run(&report),
         Command::New(new) => new.run(&report),
         Command::Rules(rules) => rules.run(&report),
         #[cfg(unix)]

@@ -5,6 +5,7 @@ use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use devc::format::format;
 use devc::source::MAIN_FILE;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, context};
@@ -90,6 +91,7 @@ impl New {
             .description(name)
             .map_err(|error| Failure::new(format!("the template is broken: {error:#}")))?;
         fs::create_dir_all(&self.folder).map_err(|error| Failure::at("make", &self.folder, &error))?;
+        let text = format(MAIN_FILE, &text).unwrap_or(text);
         write(&self.folder.join(MAIN_FILE), &text)?;
         let folder = self.folder.display();
         report

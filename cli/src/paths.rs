@@ -4,15 +4,35 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use devc::source::MAIN_FILE;
+use devc::source::{Disk, MAIN_FILE, owner};
+use devc::text::characters::line;
 
 use super::outcome::Failure;
+use super::report::Report;
 
 /// The folder that is looked into if no path is given.
 const DEVICES: &str = "devices";
 
+/// The given paths as [`files`] has them, but for a file that a description includes the description, which is said.
+pub(super) fn descriptions(given: &[PathBuf], report: &Report) -> Result<Vec<PathBuf>, Failure> {
+    let whole = |path: &PathBuf| {
+        let is_file = path.extension().is_some_and(|extension| extension == "toml");
+        let Some(main) = is_file.then(|| owner(&Disk, path)).flatten() else { return path.clone() };
+        let (file, main) = (path.display(), main);
+        report.message(&line(&format!(
+            "`{file}` is a part of `{}`, which is taken as a whole",
+            main.display()
+        )));
+        match main.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
+            _ => main,
+        }
+    };
+    files(&given.iter().map(whole).collect::<Vec<_>>())
+}
+
 /// The given paths, each once; without any, every folder under `devices` that holds a description.
-pub(super) fn descriptions(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     if given.is_empty() {
         return shipped(Path::new(DEVICES));
     }

@@ -7,6 +7,7 @@ use clap::ColorChoice;
 use devc::Compilation;
 use devc::diagnostic::render::{Style, text};
 use devc::diagnostic::{Diagnostics, Level};
+use devc::source::Sources;
 use devc::text::characters::line;
 
 use super::outcome::{Failure, Outcome, reason};
@@ -14,6 +15,8 @@ use super::outcome::{Failure, Outcome, reason};
 /// Where results and messages go.
 pub(super) struct Report {
     style: Style,
+    /// Whether what went well is not said.
+    quiet: bool,
     /// Why nothing more can be written to the standard output; the work goes on all the same.
     lost: RefCell<Option<io::Error>>,
 }
@@ -21,7 +24,7 @@ pub(super) struct Report {
 impl Report {
     /// Colours as asked for; `auto` means on a terminal that has them and whose user does not mind
     /// (<https://no-color.org>).
-    pub(super) fn new(choice: ColorChoice) -> Self {
+    pub(super) fn new(choice: ColorChoice, quiet: bool) -> Self {
         let wanted = match choice {
             ColorChoice::Always => true,
             ColorChoice::Never => false,
@@ -32,12 +35,19 @@ impl Report {
             }
         };
         let style = if wanted { Style::Colour } else { Style::Plain };
-        Self { style, lost: RefCell::new(None) }
+        Self { style, quiet, lost: RefCell::new(None) }
     }
 
-    /// Prints a result as one line, whatever is in the names that it holds.
+    /// Prints what was done as one line, whatever is in the names that it holds.
     pub(super) fn line(&self, text: &str) {
-        self.output(&format!("{}\n", line(text)));
+        if !self.quiet {
+            self.output(&format!("{}\n", line(text)));
+        }
+    }
+
+    /// Whether nobody reads the standard output any more.
+    pub(super) fn is_lost(&self) -> bool {
+        self.lost.borrow().is_some()
     }
 
     /// Prints a result of lines that end themselves, and that hold nothing which a terminal would obey.
@@ -67,9 +77,13 @@ impl Report {
 
     /// Prints the messages about a description.
     pub(super) fn diagnostics(&self, compilation: &Compilation) {
-        let shown = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow);
-        for diagnostic in shown {
-            self.message(&format!("{}\n", text(diagnostic, &compilation.sources, self.style)));
+        self.found(&compilation.diagnostics, &compilation.sources);
+    }
+
+    /// Prints messages about texts.
+    pub(super) fn found(&self, diagnostics: &Diagnostics, sources: &Sources) {
+        for diagnostic in diagnostics.iter().filter(|diagnostic| diagnostic.level != Level::Allow) {
+            self.message(&format!("{}\n", text(diagnostic, sources, self.style)));
         }
     }
 

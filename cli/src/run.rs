@@ -60,7 +60,7 @@ impl Run {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let mut outcome = Outcome::Clean;
         let (mut known, mut names, mut subdevices) = (Vec::new(), Vec::new(), Vec::new());
-        for path in descriptions(&self.paths)? {
+        for path in descriptions(&self.paths, report)? {
             let compilation = devc::compile_with(&Disk, &path, &Levels::default(), &mut |_| ());
             report.diagnostics(&compilation);
             outcome = outcome.max(verdict(&compilation, false));

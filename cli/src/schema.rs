@@ -1,6 +1,7 @@
 //! `devc schema`
 
 use clap::Args;
+use devc::reference::SCHEMA;
 
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
@@ -13,7 +14,7 @@ pub(super) struct Schema {}
 
 impl Schema {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
-        report.output(devc::SCHEMA);
+        report.output(SCHEMA);
         Ok(Outcome::Clean)
     }
 }

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, faults};
 use crate::lint::{self, Checked, Levels};
 use crate::model::Family;
 use crate::resolve::Resolved;
-use crate::source::{Loader, Sources, load};
+use crate::source::{Document, Loader, Sources, load};
 use crate::text::characters::hazard;
 use crate::{profiles, raw, resolve};
 
@@ -21,6 +21,8 @@ pub struct Compilation {
     pub sources: Sources,
     /// Every file that was read, for those who have to notice a change.
     pub files: Vec<PathBuf>,
+    /// What was read, as far as it could be; none if there was nothing to read.
+    pub document: Option<Document>,
 }
 
 /// A stage of the pipeline.
@@ -90,9 +92,9 @@ pub(crate) fn resolved(
     compilation: &mut Compilation,
     enter: &mut dyn FnMut(Stage),
 ) -> Option<(Resolved, Levels)> {
-    let Compilation { diagnostics, sources, files, .. } = compilation;
+    let Compilation { diagnostics, sources, files, document, .. } = compilation;
     enter(Stage::Load);
-    let document = load(loader, path, profiles::ALL, sources, diagnostics)?;
+    let document = document.insert(load(loader, path, profiles::ALL, sources, diagnostics)?);
     files.clone_from(&document.files);
     let id = id(loader, path);
     diagnostics.extend(bad_name(&id));
@@ -100,7 +102,7 @@ pub(crate) fn resolved(
         return None;
     }
     enter(Stage::Decode);
-    let members = raw::read(&document, &id, sources, diagnostics);
+    let members = raw::read(document, &id, sources, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }

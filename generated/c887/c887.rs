@@ -1895,9 +1895,9 @@ impl VendorCode {
 ///
 /// Source: p. 21, p. 22.
 ///
-/// Assumed, mode: from its name.
-///
 /// Assumed, excludes: both would set the same objects.
+///
+/// Assumed, mode: from its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1600 {
     /// `0x6040:00` Controlword.
@@ -1976,9 +1976,9 @@ impl Pdo for RxPdo1600 {
 ///
 /// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other.
 ///
-/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
-///
 /// Assumed, excludes: both would set the same objects.
+///
+/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RxPdo1601 {
     /// `0x6040:00` Controlword.
@@ -2071,9 +2071,9 @@ impl Pdo for RxPdo1601 {
 ///
 /// Source: p. 22 to 24.
 ///
-/// Assumed, mode: from its name.
-///
 /// Assumed, excludes: both would send the same objects.
+///
+/// Assumed, mode: from its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A00 {
     /// `0x6041:00` Statusword.
@@ -2158,9 +2158,9 @@ impl Pdo for TxPdo1A00 {
 ///
 /// Contradicted, name: The modes are 0, 6 and 8; GCS error 715 answers any other.
 ///
-/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
-///
 /// Assumed, excludes: both would send the same objects.
+///
+/// Contradicted, mode: The modes are 0, 6 and 8; GCS error 715 answers any other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TxPdo1A01 {
     /// `0x6041:00` Statusword.

@@ -5,14 +5,18 @@
 mod arguments;
 #[cfg(unix)]
 mod at_once;
+mod authoring;
 mod explain;
 mod findings;
 mod fixes;
+mod fmt;
 mod foreign;
 mod imports;
 #[cfg(unix)]
 mod interrupted;
 mod levels;
+#[cfg(feature = "lsp")]
+mod lsp;
 mod many;
 #[cfg(unix)]
 mod odd_files;

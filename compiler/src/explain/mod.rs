@@ -19,9 +19,13 @@ use std::path::Path;
 use crate::diagnostic::{Diagnostics, Rule};
 use crate::diff::Kind;
 use crate::raw::over_profile;
+#[cfg(feature = "lsp")]
+use crate::source::Table;
 use crate::source::{Loader, Sources, load};
 use crate::{diff, profiles, rules};
 pub use bits::word as explain_word;
+#[cfg(feature = "lsp")]
+use entity::Entity;
 use find::{Found, find};
 use tree::Trees;
 use word::Phrase;
@@ -67,6 +71,25 @@ pub fn explain_description(
     let root = over_profile(&document.root, &document.profile);
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     Some(answer(&Trees::one(name, root, sources), &Phrase::new(words)))
+}
+
+/// Tells what a tree says of the thing under a key of a section, or of one of its entries; none if it has no such thing.
+#[cfg(feature = "lsp")]
+pub(crate) fn explain_thing(
+    name: &str,
+    root: &Table,
+    sources: &Sources,
+    section: &str,
+    key: &str,
+    subindex: Option<i64>,
+) -> Option<String> {
+    let trees = Trees::one(name.to_owned(), root.clone(), sources.clone());
+    let mut entities = trees.trees.iter().flat_map(Entity::all);
+    let entity = entities.find(|entity| entity.section == section && entity.key == key)?;
+    match subindex {
+        Some(subindex) => Some(view::of_entry(&trees, entity, entity.entry(subindex)?)),
+        None => Some(view::of_entity(&trees, entity)),
+    }
 }
 
 /// What trees say of a phrase.

@@ -45,8 +45,8 @@ pub struct RawEntries {
     pub origin: Origin,
 }
 
-/// `[objects.<index>]`: an object of the dictionary. The keys from `name` on say what its value is; the tables
-/// in `entries` have them, too. For a record or an array `type`, `access`, `pdo`, `category`, `unit`, `default`, `min`,
+/// `[objects.<index>]`: an object of the dictionary. The keys `name` and from `type` to `parameter` say what its value
+/// is; the tables in `entries` have them, too. For a record or an array `type`, `access`, `pdo`, `category`, `unit`, `default`, `min`,
 /// `max`, `values`, `written`, `backup`, `setting`, `functional` and `trigger` hold for all entries that do not say otherwise, but for
 /// subindex 0.
 #[derive(Debug, Default, Deserialize)]

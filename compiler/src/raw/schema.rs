@@ -53,10 +53,11 @@ fn reference_to(definition: &str) -> Value {
 
 /// The schema of a member: all sections, and two keys of its own.
 fn member(sections: &Map<String, Value>) -> Value {
-    let mut keys = sections.clone();
-    keys.remove("lints");
+    let mut keys = Map::new();
     keys.insert("like".into(), text("Another member that this one is laid over."));
     keys.insert("without".into(), texts(WITHOUT));
+    keys.extend(sections.clone());
+    keys.shift_remove("lints");
     json!({
         "type": "object",
         "description": "What a member has of its own: any section, laid over that of the family.",
@@ -74,12 +75,12 @@ fn file_keys() -> Map<String, Value> {
         "additionalProperties": reference_to("members"),
     });
     let keys = [
-        ("include", texts("Other files of the description, relative to this one.")),
+        ("source", text("Where the facts of this file are from, unless a table says otherwise.")),
         (
             "profiles",
             texts("Profiles whose objects, words and states can be referred to: `ethercat`, `cia402`."),
         ),
-        ("source", text("Where the facts of this file are from, unless a table says otherwise.")),
+        ("include", texts("Other files of the description, relative to this one.")),
         ("without", texts(WITHOUT)),
         ("members", members),
     ];

@@ -12,6 +12,8 @@ mod load;
 mod loader;
 mod merge;
 mod origin;
+#[cfg(feature = "cli")]
+mod owner;
 pub(crate) mod parse;
 pub mod plain;
 mod settings;
@@ -25,6 +27,8 @@ pub use load::{Document, MAIN_FILE, Profile, load};
 pub use loader::{Disk, Loader, MAX_SIZE, Memory, Opened};
 pub use origin::Origin;
 pub(crate) use origin::parts;
+#[cfg(feature = "cli")]
+pub use owner::owner;
 pub use tree::{CanonicalKey, Key, Layer, Member, Members, Node, Table, Value};
 
 pub use crate::text::{FileId, Location, SourceFile, Sources};

@@ -30,7 +30,7 @@ pub(crate) fn example<'d>(docs: &'d str, heading: &str) -> Option<&'d str> {
 }
 
 /// The files of an example: the main one, and those that a line `# file: name` starts.
-fn files(example: &str) -> Vec<(String, String)> {
+pub(crate) fn files(example: &str) -> Vec<(String, String)> {
     let lines = example.lines().map(|line| line.strip_prefix(' ').unwrap_or(line));
     let mut file = ("device.toml".to_owned(), String::new());
     let mut files = Vec::new();

@@ -51,8 +51,8 @@ fn table<T: JsonSchema>(section: Section, generator: &mut SchemaGenerator) -> Va
         hold(&mut table, "per-axis", object);
     }
     if !matches!(section.shape(), Shape::Single | Shape::List) {
-        add(&mut table, "like", text("Another table of the section, which this one is laid over."));
-        add(&mut table, "without", texts("Paths of what it does not have of that."));
+        let like = text("Another table of the section, which this one is laid over.");
+        begin(&mut table, [("like", like), ("without", texts("Paths of what it does not have of that."))]);
     }
     table
 }
@@ -68,8 +68,16 @@ impl JsonSchema for RawObject {
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
-        let keys = together(vec![own::<RawObjectHead>(generator), own::<RawEntry>(generator)]);
-        keys.try_into().unwrap_or_default()
+        let mut object = together(vec![own::<RawObjectHead>(generator), own::<RawEntry>(generator)]);
+        if let Some(keys) = object.get_mut("properties").and_then(Value::as_object_mut) {
+            // what it is called comes first, what has tables of its own last
+            for (key, place) in [("name", 1), ("entries", usize::MAX), ("per-axis", usize::MAX)] {
+                if let Some(schema) = keys.shift_remove(key) {
+                    keys.shift_insert(place.min(keys.len()), key.to_owned(), schema);
+                }
+            }
+        }
+        object.try_into().unwrap_or_default()
     }
 }
 
@@ -100,10 +108,12 @@ fn own<T: JsonSchema>(generator: &mut SchemaGenerator) -> Value {
     T::json_schema(generator).to_value()
 }
 
-/// Adds a key.
-fn add(table: &mut Value, key: &str, schema: Value) {
+/// Adds keys in front.
+fn begin(table: &mut Value, first: [(&str, Value); 2]) {
     if let Some(keys) = table.get_mut("properties").and_then(Value::as_object_mut) {
-        keys.insert(key.into(), schema);
+        let others = std::mem::take(keys);
+        keys.extend(first.map(|(key, schema)| (key.to_owned(), schema)));
+        keys.extend(others);
     }
 }
 
