@@ -1,7 +1,6 @@
 //! SOEM, by pysoem, as the master of `devc run`: over two ends of a virtual cable, in a network namespace that the test makes.
 //!
-//! Skipped with a word where that cannot be: it takes root, Linux and the Python package `pysoem` (1.1.13; the interpreter in
-//! `DEVC_PYTHON`, or `python3`).
+//! Skipped with a word where that cannot be: it takes root, Linux and the Python package `pysoem` (1.1.13).
 #![cfg(target_os = "linux")]
 #![allow(clippy::expect_used, clippy::unwrap_used, clippy::panic, clippy::print_stderr)] // a test may
 
@@ -11,6 +10,8 @@ use std::process::{Child, Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde_json::{Value, json};
+
+const PYTHON: &str = "python3";
 
 /// The ends of the cable.
 const MASTER: &str = "veth-master";
@@ -63,7 +64,7 @@ impl Network {
     fn master(&self, cycles: u32, axes: usize) -> Value {
         let script = "cli/tests/soem/master.py";
         let master =
-            self.command(&python()).args([script, MASTER, &cycles.to_string(), &axes.to_string()]).output();
+            self.command(PYTHON).args([script, MASTER, &cycles.to_string(), &axes.to_string()]).output();
         let master = master.expect("Python runs");
         let said = String::from_utf8_lossy(&master.stderr);
         assert!(master.status.success(), "{said}{}", String::from_utf8_lossy(&master.stdout));
@@ -87,19 +88,15 @@ fn ip(arguments: &[&str]) -> Option<()> {
     ran.success().then_some(())
 }
 
-fn python() -> String {
-    std::env::var("DEVC_PYTHON").unwrap_or_else(|_| "python3".to_owned())
-}
-
 fn workspace() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace")
 }
 
 /// A network, if everything is there that the test needs.
 fn network(name: &str) -> Option<Network> {
-    let has_soem = Command::new(python()).args(["-c", "import pysoem"]).stderr(Stdio::null()).status();
+    let has_soem = Command::new(PYTHON).args(["-c", "import pysoem"]).stderr(Stdio::null()).status();
     if !has_soem.is_ok_and(|status| status.success()) {
-        eprintln!("skipped: `{} -c 'import pysoem'` fails; `pip install pysoem==1.1.13`", python());
+        eprintln!("skipped: `{PYTHON} -c 'import pysoem'` fails; `pip install pysoem==1.1.13`");
         return None;
     }
     let network = Network::new(name);

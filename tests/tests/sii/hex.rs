@@ -47,6 +47,6 @@ fn a_large_image_is_read_by_objcopy() {
             assert!(status.success());
             assert_eq!(&std::fs::read(&to).unwrap(), bytes);
         }
-        Err(error) => println!("objcopy is not asked: {error}"),
+        Err(error) => eprintln!("objcopy is not asked: {error}"),
     }
 }
