@@ -5,6 +5,7 @@
 //! they are held against. Where there is no compiler or interpreter, the test says so and asks nothing.
 
 #![cfg(test)]
+#![allow(clippy::print_stderr)] // what is not asked is said
 
 mod c;
 mod eds;
