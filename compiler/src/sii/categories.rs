@@ -12,8 +12,9 @@ const CLOCKS: u16 = 60;
 
 /// Names, what the mailbox can do, and the ports.
 pub(super) fn general(device: &Device, strings: &mut Strings) -> Option<Category> {
-    let group = strings.number(&device.group);
+    // SOEM calls a device by the first string, whatever is said here of strings; vendors' images have the order code there
     let order = strings.number(&device.type_name);
+    let group = strings.number(&device.group);
     let name = strings.number(&device.name);
     let mailbox = device.mailbox.as_ref();
     let speaks = |protocol| mailbox.is_some_and(|mailbox| mailbox.protocols.contains(&protocol));

@@ -42,6 +42,7 @@ fn general_information_has_its_places() {
     let image = image(CORNER);
     let data = image.category(30).unwrap();
     let [group, picture, order, name, reserved] = data[..5] else { panic!("{data:?}") };
+    assert_eq!(order, 1, "SOEM calls a device by the first string");
     assert_eq!([group, order, name].map(|it| image.string(it)), ["Edges", "Type", "M?ller"]);
     assert_eq!((picture, reserved, data[14]), (0, 0, group));
     // SDO, information, assignment, configuration, complete access
