@@ -7,7 +7,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use devc::diagnostic::render::{Style, text};
 use devc::source::Disk;
@@ -51,12 +50,9 @@ fn bad_descriptions_get_their_messages() {
 }
 
 #[test]
-fn every_case_is_refused_and_quickly() {
+fn every_case_is_refused() {
     for folder in cases() {
-        let start = Instant::now();
         let compilation = devc::compile(&Disk, &folder);
-        let name = folder.display();
-        assert!(compilation.family.is_none(), "{name} has no error");
-        assert!(start.elapsed() < Duration::from_secs(2), "{name} took {:?}", start.elapsed());
+        assert!(compilation.family.is_none(), "{} has no error", folder.display());
     }
 }
