@@ -6,10 +6,11 @@ use devc::model::{Configuration, Device};
 use devc_virtual::drive::Drive;
 use devc_virtual::{Subdevice, Wire};
 use ethercrab::subdevice_group::{NoDc, Op, PreOp};
-use ethercrab::{DefaultLock, MainDevice, MainDeviceConfig, PduStorage, SubDeviceGroup, Timeouts};
+use ethercrab::{DefaultLock, MainDevice, MainDeviceConfig, PduStorage, SubDeviceGroup};
 use ethercrab_wire::{EtherCrabWireRead, EtherCrabWireSized, WireError};
 use futures_lite::future;
 
+use crate::carried::{carry, patient};
 use crate::shared::model;
 
 pub(crate) type Group<State> = SubDeviceGroup<2, 256, DefaultLock, State, NoDc>;
@@ -22,39 +23,16 @@ pub(crate) fn run<R, F: Future<Output = R>>(
     master: impl FnOnce(&'static Master) -> F,
 ) -> R {
     let storage: &'static PduStorage<16, 1100> = Box::leak(Box::new(PduStorage::new()));
-    let (mut to_wire, mut from_wire, frames) = storage.try_split().expect("once");
-    // nothing is late on this wire, whatever else the machine does
-    let long = Duration::from_secs(60);
-    let timeouts = Timeouts {
-        state_transition: long,
-        pdu: long,
-        eeprom: long,
-        wait_loop_delay: Duration::ZERO,
-        mailbox_echo: long,
-        mailbox_response: long,
-    };
+    let (to_wire, from_wire, frames) = storage.try_split().expect("once");
     let config = MainDeviceConfig { dc_static_sync_iterations: 10, ..MainDeviceConfig::default() };
-    let maindevice = Box::leak(Box::new(MainDevice::new(frames, timeouts, config)));
+    let maindevice = Box::leak(Box::new(MainDevice::new(frames, patient(Duration::from_secs(60)), config)));
     let image = devc::sii::image_of_any_size(device, &[0; 6]);
     let mut wire = Wire::new(vec![Subdevice::new(Drive::new(model(device)), image)]);
-    let carry = async {
-        loop {
-            while let Some(sendable) = to_wire.next_sendable_frame() {
-                let mut frame = Vec::new();
-                let sent = sendable.send_blocking(|bytes| {
-                    frame.extend_from_slice(bytes);
-                    Ok(bytes.len())
-                });
-                assert_eq!(sent, Ok(frame.len()));
-                assert!(wire.pass(&mut frame));
-                from_wire.receive_frame(&frame).expect("it is taken");
-                event(&mut wire.subdevices_mut()[0].firmware);
-                wire.advance(Duration::from_millis(1));
-            }
-            future::yield_now().await;
-        }
-    };
-    future::block_on(future::or(async { master(maindevice).await }, carry))
+    let carried = carry(to_wire, from_wire, &mut wire, |wire| {
+        event(&mut wire.subdevices_mut()[0].firmware);
+        wire.advance(Duration::from_millis(1));
+    });
+    future::block_on(future::or(async { master(maindevice).await }, carried))
 }
 
 /// A value as it travels.

@@ -2,6 +2,8 @@
 #![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
 
 mod bus;
+#[path = "../shared/carried.rs"]
+mod carried;
 mod dictionary;
 mod motion;
 mod session;

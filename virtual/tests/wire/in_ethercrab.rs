@@ -6,9 +6,10 @@ use std::time::Duration;
 use devc_virtual::{Subdevice, Wire};
 use ethercrab::error::Error;
 use ethercrab::subdevice_group::{DcConfiguration, Op, PreOp};
-use ethercrab::{DcSync, DefaultLock, MainDevice, MainDeviceConfig, PduStorage, SubDeviceGroup, Timeouts};
+use ethercrab::{DcSync, DefaultLock, MainDevice, MainDeviceConfig, PduStorage, SubDeviceGroup};
 use futures_lite::future;
 
+use crate::carried::{carry, patient};
 use crate::devices::{Any, Device, all, c887, described, s700};
 
 type Group<State> = SubDeviceGroup<16, 1024, DefaultLock, State>;
@@ -19,37 +20,12 @@ fn run<R, F: Future<Output = R>>(
     master: impl FnOnce(&'static MainDevice<'static>) -> F,
 ) -> R {
     let storage: &'static PduStorage<16, 1536> = Box::leak(Box::new(PduStorage::new()));
-    let (mut to_wire, mut from_wire, pdu_loop) = storage.try_split().expect("once");
+    let (to_wire, from_wire, pdu_loop) = storage.try_split().expect("once");
     let config = MainDeviceConfig { dc_static_sync_iterations: 100, ..MainDeviceConfig::default() };
-    // nothing is late on this wire but what never comes
-    let long = Duration::from_secs(20);
-    let timeouts = Timeouts {
-        state_transition: long,
-        pdu: long,
-        eeprom: long,
-        wait_loop_delay: Duration::ZERO,
-        mailbox_echo: long,
-        mailbox_response: long,
-    };
-    let maindevice = Box::leak(Box::new(MainDevice::new(pdu_loop, timeouts, config)));
+    let maindevice = Box::leak(Box::new(MainDevice::new(pdu_loop, patient(Duration::from_secs(20)), config)));
     let mut wire: Wire<Any> = Wire::new(subdevices);
-    let carry = async {
-        loop {
-            while let Some(sendable) = to_wire.next_sendable_frame() {
-                let mut frame = Vec::new();
-                let sent = sendable.send_blocking(|bytes| {
-                    frame.extend(bytes);
-                    Ok(bytes.len())
-                });
-                assert_eq!(sent, Ok(frame.len()));
-                assert!(wire.pass(&mut frame));
-                from_wire.receive_frame(&frame).expect("it is taken");
-                wire.advance(Duration::from_micros(100));
-            }
-            future::yield_now().await;
-        }
-    };
-    future::block_on(future::or(async { master(maindevice).await }, carry))
+    let carried = carry(to_wire, from_wire, &mut wire, |wire| wire.advance(Duration::from_micros(100)));
+    future::block_on(future::or(async { master(maindevice).await }, carried))
 }
 
 async fn found(maindevice: &MainDevice<'_>) -> Result<Group<PreOp>, Error> {

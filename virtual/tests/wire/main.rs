@@ -1,6 +1,8 @@
 //! A subdevice as masters see it: frames in, frames out.
 #![allow(clippy::expect_used, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // tests may
 
+#[path = "../shared/carried.rs"]
+mod carried;
 mod clocks;
 mod devices;
 mod eeprom;
