@@ -1,7 +1,7 @@
 //! The outputs: one folder each, one line each in [`ALL`].
 //!
-//! An emitter gets a checked family and makes files of it, one for the family or one a member. It cannot fail: what an output cannot express
-//! is a rule, and was reported before.
+//! An emitter gets a checked family and makes files of it, one for the family or one a member. It cannot fail: what an
+//! output cannot express is a rule, and was reported before.
 
 #[cfg(feature = "c")]
 pub mod c;
@@ -32,7 +32,7 @@ pub mod sii;
 mod skeleton;
 #[cfg(feature = "program")]
 mod steps;
-#[cfg(feature = "program")]
+#[cfg(feature = "template")]
 mod template;
 
 use std::collections::BTreeMap;
@@ -83,8 +83,6 @@ pub static ALL: &[&dyn Emitter] = &[
     &html::Html,
     #[cfg(feature = "json")]
     &json::Json,
-    #[cfg(feature = "rust")]
-    &rust::Rust,
     #[cfg(feature = "sii")]
     &sii::Sii,
     #[cfg(feature = "c")]
@@ -95,6 +93,8 @@ pub static ALL: &[&dyn Emitter] = &[
     &python::Python,
     #[cfg(feature = "eds")]
     &eds::Eds,
+    #[cfg(feature = "rust")]
+    &rust::Rust,
 ];
 
 /// Files by name, in the folder of the family.

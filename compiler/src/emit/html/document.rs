@@ -3,18 +3,19 @@
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use minijinja::value::Serde;
-use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
+use minijinja::{AutoEscape, Environment, HtmlEscape, context};
 use pulldown_cmark::{Options, Parser, html::push_html};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::data::Data;
-use super::figure::{escaped, svg};
-use super::ways::{Way, ways};
+use super::figure::svg;
+use super::ways::{Step, Way, ways};
 use crate::emit::escape::comment;
 use crate::emit::markdown::{Block, Heading, Page, body, front};
+use crate::emit::template;
 use crate::model::Family;
-use crate::text::characters::{harmless, json, line};
+use crate::text::characters::{json, line};
 
 const PAGE: &str = include_str!("templates/page.html.j2");
 const STYLE: &str = include_str!("templates/style.css");
@@ -43,16 +44,6 @@ struct WayView {
 
 /// The whole page.
 pub(super) fn document(family: &Family, editorial: bool) -> String {
-    // Views and the template are part of devc, and each is rendered by a test: this says where one is broken.
-    let page = render(family, editorial)
-        .unwrap_or_else(|error| escaped(&format!("devc could not make this: {error:#}\n")));
-    harmless(&page).into_owned()
-}
-
-fn render(family: &Family, editorial: bool) -> Result<String, minijinja::Error> {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
     let body = body(family, editorial, false);
     let view = context! {
         id => comment(&line(&family.id)),
@@ -67,7 +58,10 @@ fn render(family: &Family, editorial: bool) -> Result<String, minijinja::Error> 
         ways => Serde(ways_of(family)),
         data => data(family),
     };
-    environment.render_named_str("page.html", PAGE, view)
+    let escape = |environment: &mut Environment<'static>| {
+        environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    };
+    template::render("page.html", PAGE, escape, view)
 }
 
 /// The hash by which the policy of the page lets a text be run.
@@ -100,7 +94,7 @@ fn html(page: &Page, name: &str) -> String {
         match block {
             Block::Heading(Heading { level, anchor, title }) => {
                 let id =
-                    anchor.as_ref().map_or(String::new(), |anchor| format!(" id=\"{}\"", escaped(anchor)));
+                    anchor.as_ref().map_or(String::new(), |anchor| format!(" id=\"{}\"", HtmlEscape(anchor)));
                 out.push_str(&format!("<h{level}{id}>{}</h{level}>\n", inline(title)));
             }
             Block::Machine(machine) => out.push_str(&svg(machine, &format!("The states of {name}"))),
@@ -125,7 +119,7 @@ fn inline(text: &str) -> String {
     let mut out = String::new();
     markdown(text, &mut out);
     let inner = out.trim().strip_prefix("<p>").and_then(|inner| inner.strip_suffix("</p>"));
-    inner.map_or_else(|| escaped(text), str::to_owned)
+    inner.map_or_else(|| HtmlEscape(text).to_string(), str::to_owned)
 }
 
 /// The words of a title, without what makes them look like something.
@@ -157,7 +151,7 @@ fn ways_of(family: &Family) -> Vec<Ways> {
 }
 
 fn way_view(way: &Way) -> WayView {
-    let step = |step: &super::ways::Step| match &step.word {
+    let step = |step: &Step| match &step.word {
         None => format!("wait for {}", step.to),
         Some((word, name)) if step.rising == 0 => format!("0x{word:04X} ({name}): {}", step.to),
         Some((word, name)) => {

@@ -1,6 +1,8 @@
 //! The state machine as a picture: states below one another, and an arrow for each pair between which there are transitions, down
 //! on the right and up on the left.
 
+use minijinja::HtmlEscape;
+
 use crate::emit::markdown::{Arrow, Machine};
 
 const WIDTH: usize = 760;
@@ -28,7 +30,7 @@ pub(super) fn svg(machine: &Machine, title: &str) -> String {
         "<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" class=\"machine\"><title>{}</title>\n\
          <defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" orient=\"auto\">\
          <path d=\"M0 0 8 4 0 8z\"/></marker></defs>\n{}\n</svg>\n",
-        escaped(title),
+        HtmlEscape(title),
         parts.join("\n")
     )
 }
@@ -77,7 +79,7 @@ fn state(row: usize, name: &str) -> String {
         BOX.1,
         x + BOX.0 / 2,
         y + BOX.1 / 2 + 5,
-        escaped(name)
+        HtmlEscape(name)
     )
 }
 
@@ -94,13 +96,8 @@ fn arrow(side: &mut Side, start: usize, end: usize, labels: &[String]) -> String
     format!(
         "<g class=\"arrow\"><title>{}</title><path d=\"M{edge} {y1}H{bend}V{y2}H{edge}\" marker-end=\"url(#tip)\"/>\
          <text x=\"{text}\" y=\"{}\">{}</text></g>",
-        escaped(&labels.join(", ")),
+        HtmlEscape(&labels.join(", ")),
         y1 + 4,
-        escaped(&numbers)
+        HtmlEscape(&numbers)
     )
-}
-
-/// A text that means itself in XML.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,4 +1,7 @@
 //! How a drive is brought into operation: the words to write, from each state.
+//!
+//! Only commands that are described are words to be shown: the bits of a transition of its own leave others open, and with
+//! these at 0 a word may be another command.
 
 use std::collections::{BTreeMap, VecDeque};
 
