@@ -82,6 +82,11 @@ impl Run {
         }
         let told = Told::new(names, &subdevices, self.cycle_report);
         let faults = self.fault.iter().map(|fault| told.find(fault)).collect::<Result<_, _>>()?;
+        let there = self.trace.as_ref().filter(|path| path.symlink_metadata().is_ok());
+        if let Some(path) = there {
+            return Err(Failure::new(format!("`{}` is there already", path.display()))
+                .help("move it away, or name another file with `--trace`"));
+        }
         let interface = self.open()?;
         let trace = self.trace.as_ref().map(|path| self.begin(path)).transpose()?;
         report.message(&told.greeting(&self.interface));
@@ -102,7 +107,7 @@ impl Run {
 
     fn begin(&self, path: &PathBuf) -> Result<Trace<BufWriter<File>>, Failure> {
         let comment = format!("devc {}", env!("CARGO_PKG_VERSION"));
-        let file = File::create(path).map(BufWriter::new);
+        let file = File::create_new(path).map(BufWriter::new);
         file.and_then(|file| Trace::begin(file, &self.interface, &comment))
             .map_err(|error| Failure::at("write", path, &error))
     }
