@@ -30,8 +30,9 @@ pub struct Completion {
     pub is_key: bool,
 }
 
-/// All that can be written at a byte of a text.
+/// All that can be written at a byte of a text. Within a character that is before it, and behind the end at the end.
 pub fn complete(text: &str, offset: usize, knowledge: Option<&Knowledge>) -> Vec<Completion> {
+    let offset = (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or_default();
     let cursor = Cursor::at(text, offset);
     let before = text.get(..offset).unwrap_or(text);
     let start = before.len() - word(before).len();

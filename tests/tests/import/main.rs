@@ -10,7 +10,6 @@ mod corpus;
 mod facts;
 mod hostile;
 mod kinds;
-mod mutated;
 mod objects;
 mod round_trip;
 mod transport;

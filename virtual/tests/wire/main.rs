@@ -7,7 +7,6 @@ mod clocks;
 mod devices;
 mod eeprom;
 mod frames;
-mod hostile;
 mod image;
 mod in_ethercrab;
 mod managers;
