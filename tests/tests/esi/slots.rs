@@ -35,7 +35,7 @@ fn named<'a, 'd: 'a>(node: Node<'a, 'd>, name: &'a str) -> impl Iterator<Item = 
     node.children().filter(move |child| child.has_tag_name(name))
 }
 
-fn text<'a>(node: Node<'a, '_>, name: &str) -> &'a str {
+fn text<'a>(node: Node<'a, '_>, name: &'a str) -> &'a str {
     named(node, name).next().and_then(|child| child.text()).unwrap_or_default()
 }
 

@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Axis, Device, Module, Object, Pdo, Repeated, Section, differences};
+use crate::model::{Axis, Device, Module, Object, Pdo, Section, differences};
 use crate::source::Location;
 
 rule! {

@@ -52,7 +52,7 @@ impl Meant {
             Unexpected::Str(text) if matches!(expected, "an integer" | "a number") => {
                 number(text).map(|_| Self::Number(text.to_owned()))
             }
-            Unexpected::Signed(index) if expected.contains("index") => {
+            Unexpected::Signed(index @ 0x1000..=0xFFFF) if expected.contains("index") => {
                 u16::try_from(index).ok().map(|index| Self::Index(Index(index)))
             }
             _ => None,
