@@ -34,7 +34,7 @@ static FILES: LazyLock<Vec<String>> = LazyLock::new(|| {
 fn files() {
     holds("files", 30, |input: &Input| {
         let text = edited(&FILES[usize::from(input.file) % FILES.len()], &input.edits);
-        let device = (input.device % 4 != 0).then(|| (input.device % 4).to_string());
+        let device = Some(input.device % 4).filter(|number| *number > 0).map(|number| number.to_string());
         match import(&encoded(&text, input.encoding), "drive.xml", &Choice { device, revision: None }) {
             Ok(imported) => is_whole(&imported),
             Err(refusal) => is_told(&refusal, &text),

@@ -241,3 +241,19 @@ fn kind(shape: Shape) -> &'static str {
     ];
     kinds.iter().find(|(kind, _)| shape.is(kind)).map_or("", |(_, word)| word)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::complete;
+
+    #[test]
+    fn what_is_replaced_lies_in_the_text() {
+        for (text, offset) in [("é", 1), ("", 3), ("[device]\nna", 400)] {
+            let completions = complete(text, offset, None);
+            assert!(!completions.is_empty(), "{text:?} at {offset}");
+            for it in completions {
+                assert!(text.get(it.replaces.clone()).is_some(), "{text:?} at {offset}: {it:?}");
+            }
+        }
+    }
+}
