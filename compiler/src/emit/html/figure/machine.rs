@@ -3,7 +3,7 @@
 
 use minijinja::HtmlEscape;
 
-use crate::emit::markdown::{Arrow, Machine};
+use crate::emit::markdown::{Arrow, Label, Machine, Node};
 
 const WIDTH: usize = 760;
 const BOX: (usize, usize) = (210, 46);
@@ -12,9 +12,10 @@ const STEP: usize = 76;
 const LANE: usize = 24;
 const SLOT: usize = 10;
 
-/// The picture, as SVG. Arrows have the numbers of their transitions; what sets these off is told where one points at them.
-pub(super) fn svg(machine: &Machine, title: &str) -> String {
-    let row = |id: &str| machine.states.iter().position(|(other, _)| other == id);
+/// The picture, as SVG. States have the bits of the statusword that show them. Arrows have the numbers of their transitions,
+/// which lead to what is said of these, and tell the command, its bits and its conditions where one points at them.
+pub(in super::super) fn svg(machine: &Machine, title: &str) -> String {
+    let row = |id: &str| machine.states.iter().position(|state| state.id == id);
     let mut sides = [Side::new(machine.states.len()), Side::new(machine.states.len())];
     let mut parts = Vec::new();
     for Arrow { from, to, labels } in &machine.arrows {
@@ -24,10 +25,10 @@ pub(super) fn svg(machine: &Machine, title: &str) -> String {
             parts.push(arrow(side, start, end, labels));
         }
     }
-    parts.extend(machine.states.iter().enumerate().map(|(row, (_, name))| state(row, name)));
+    parts.extend(machine.states.iter().enumerate().map(|(row, one)| state(row, one)));
     let height = machine.states.len() * STEP + 10;
     format!(
-        "<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" class=\"machine\"><title>{}</title>\n\
+        "<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"group\" class=\"machine\"><title>{}</title>\n\
          <defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" orient=\"auto\">\
          <path d=\"M0 0 8 4 0 8z\"/></marker></defs>\n{}\n</svg>\n",
         HtmlEscape(title),
@@ -71,19 +72,26 @@ fn left() -> usize {
     (WIDTH - BOX.0) / 2
 }
 
-fn state(row: usize, name: &str) -> String {
+fn state(row: usize, state: &Node) -> String {
     let (x, y) = (left(), row * STEP + 10);
+    let name = HtmlEscape(&state.name);
+    let text = |y: usize, class: &str, text: &str| {
+        format!("<text{class} x=\"{}\" y=\"{y}\">{text}</text>", x + BOX.0 / 2)
+    };
+    let texts = match &state.bits {
+        Some(bits) => {
+            text(y + 19, "", &name.to_string())
+                + &text(y + 36, " class=\"pattern\"", &HtmlEscape(bits).to_string())
+        }
+        None => text(y + BOX.1 / 2 + 5, "", &name.to_string()),
+    };
     format!(
-        "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" rx=\"6\"/><text x=\"{}\" y=\"{}\">{}</text>",
-        BOX.0,
-        BOX.1,
-        x + BOX.0 / 2,
-        y + BOX.1 / 2 + 5,
-        HtmlEscape(name)
+        "<g class=\"state\"><rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" rx=\"6\"/>{texts}</g>",
+        BOX.0, BOX.1
     )
 }
 
-fn arrow(side: &mut Side, start: usize, end: usize, labels: &[String]) -> String {
+fn arrow(side: &mut Side, start: usize, end: usize, labels: &[Label]) -> String {
     let offset = 56 + side.lane(start.min(end), start.max(end)) * LANE;
     let (y1, y2) = (side.meet(start), side.meet(end));
     let (edge, bend, text) = if start < end {
@@ -91,13 +99,27 @@ fn arrow(side: &mut Side, start: usize, end: usize, labels: &[String]) -> String
     } else {
         (left(), left() - offset, left() - 28)
     };
-    let numbers = labels.iter().map(|label| label.split(' ').next().unwrap_or(label));
-    let numbers = numbers.collect::<Vec<_>>().join(", ");
+    let numbers = labels.iter().map(number).collect::<Vec<_>>().join(", ");
+    let titles = labels.iter().map(title).collect::<Vec<_>>().join("\n");
     format!(
         "<g class=\"arrow\"><title>{}</title><path d=\"M{edge} {y1}H{bend}V{y2}H{edge}\" marker-end=\"url(#tip)\"/>\
-         <text x=\"{text}\" y=\"{}\">{}</text></g>",
-        HtmlEscape(&labels.join(", ")),
+         <text x=\"{text}\" y=\"{}\">{numbers}</text></g>",
+        HtmlEscape(&titles),
         y1 + 4,
-        HtmlEscape(&numbers)
     )
+}
+
+/// The number of a transition, which leads to what is said of it.
+fn number(label: &Label) -> String {
+    format!(
+        "<a href=\"#transition-{0}\" aria-label=\"Transition {1}\">{0}</a>",
+        label.number,
+        HtmlEscape(&title(label))
+    )
+}
+
+/// The number, the command, its bits and its conditions.
+fn title(label: &Label) -> String {
+    let facts = if label.facts.is_empty() { String::new() } else { format!(": {}", label.facts.join("; ")) };
+    format!("{label}{facts}")
 }
