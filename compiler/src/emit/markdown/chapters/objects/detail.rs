@@ -88,7 +88,6 @@ struct Facts<'a> {
     about: Option<&'a str>,
     note: Option<&'a str>,
     functional: bool,
-    parameter: Option<&'a str>,
     backup: bool,
     setting: bool,
 }
@@ -100,7 +99,6 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
-            parameter,
             index: _,
             id: _,
             name: _,
@@ -109,6 +107,7 @@ impl<'a> Facts<'a> {
             category: _,
             entries: _,
             derived: _,
+            parameter: _,
             leading: _,
             source: _,
             origin,
@@ -118,7 +117,6 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
-            parameter: parameter.as_deref(),
             backup: false,
             setting: false,
         }
@@ -130,9 +128,9 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
-            parameter,
             backup,
             setting,
+            parameter: _,
             address: _,
             id: _,
             name: _,
@@ -155,7 +153,6 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
-            parameter: parameter.as_deref(),
             backup: *backup,
             setting: *setting,
         }
@@ -167,11 +164,9 @@ impl<'a> Facts<'a> {
         let marked = |key: &str, text: &str| sentence(&context.prose(text)) + &context.mark(self.origin, key);
         let about = self.about.map(|about| marked("about", about));
         let note = self.note.map(|note| marked("note", note));
-        let parameter =
-            self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        [functional, about, note, parameter, backup, setting].into_iter().flatten().collect()
+        [functional, about, note, backup, setting].into_iter().flatten().collect()
     }
 }
 
