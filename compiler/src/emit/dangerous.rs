@@ -92,7 +92,7 @@ fn family(document: &Document, sources: &Sources, id: &str) -> Result<Checked<Fa
     let resolved = resolve::resolve(id, members, &mut diagnostics);
     let mut levels = Levels::default();
     lint::ALL.iter().for_each(|lint| levels.set(lint.rule.name, Level::Allow, None));
-    resolved.and_then(|it| check(it, &levels, sources, &mut diagnostics)).ok_or(diagnostics)
+    resolved.and_then(|it| check(it, &levels, &[], sources, &mut diagnostics)).ok_or(diagnostics)
 }
 
 /// The description with the mark at the end of each text that can be any: those that are left when all are taken out

@@ -58,7 +58,9 @@ pub(crate) fn compiled(example: &str) -> Compilation {
     let memory = files(example).into_iter().fold(Memory::default(), |memory, (name, text)| {
         memory.with(Path::new("example").join(name), text.into_bytes())
     });
-    devc::compile(&memory, Path::new("example"))
+    let outputs = devc::emit::lints(devc::emit::ALL.iter().copied());
+    let request = devc::Request { outputs, ..devc::Request::default() };
+    devc::compile_with(&memory, Path::new("example"), &request, &mut |_| ())
 }
 
 /// The rules that fire on an example.

@@ -9,12 +9,16 @@ use minijinja::context;
 use minijinja::value::Serde;
 
 use super::{Emitter, Files, Options, c, program, template};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::{Device, Family};
 
 /// Makes C for the EtherLab master.
 #[derive(Debug)]
 pub struct Igh;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::clashing_identifier::RULE, &rules::empty_name::RULE];
 
 impl Emitter for Igh {
     fn name(&self) -> &'static str {
@@ -27,6 +31,10 @@ impl Emitter for Igh {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".igh.c"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

@@ -23,13 +23,17 @@ pub(super) use machine::{Arrow, Machine};
 pub(super) use page::{Block, Heading, Page};
 
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::Family;
 use crate::text::characters::harmless;
 
 /// The emitter of the reference.
 #[derive(Debug)]
 pub struct Markdown;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::empty_name::RULE];
 
 impl Emitter for Markdown {
     fn name(&self) -> &'static str {
@@ -42,6 +46,10 @@ impl Emitter for Markdown {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".md"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {
