@@ -175,7 +175,7 @@ fn no_output_holds_a_hazard() {
 /// What an output consists of, whatever its texts say.
 fn skeleton(name: &str, text: &str) -> Vec<String> {
     match name.rsplit('.').next() {
-        Some("xml") => elements(text),
+        Some("xml" | "lcec") => elements(text),
         Some("json") => {
             let mut names = Vec::new();
             members(&serde_json::from_str(text).expect("JSON"), &mut names);
@@ -184,7 +184,9 @@ fn skeleton(name: &str, text: &str) -> Vec<String> {
         Some("html") => tags(text),
         Some("rs") => tokens(text.parse().expect("Rust")),
         Some("h" | "c") => program(text, ("/*", "*/")),
+        Some("lua") => program(text, ("--", "\n")),
         Some("py") => program(text, ("#", "\n")),
+        Some("yaml") => program(text, ("#", "\n")),
         Some("eds") => sheet(text),
         _ => {
             let mut fenced = false;

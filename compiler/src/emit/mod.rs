@@ -14,11 +14,15 @@ mod escape;
 pub mod esi;
 #[cfg(feature = "html")]
 pub mod html;
+#[cfg(feature = "icube")]
+pub mod icube;
 mod identifier;
 #[cfg(feature = "igh")]
 pub mod igh;
 #[cfg(feature = "json")]
 pub mod json;
+#[cfg(feature = "lcec")]
+pub mod lcec;
 #[cfg(feature = "markdown")]
 pub mod markdown;
 #[cfg(feature = "program")]
@@ -34,6 +38,8 @@ mod skeleton;
 mod steps;
 #[cfg(feature = "template")]
 mod template;
+#[cfg(feature = "wireshark")]
+pub mod wireshark;
 
 use std::collections::BTreeMap;
 
@@ -93,10 +99,16 @@ pub static ALL: &[&dyn Emitter] = &[
     &c::C,
     #[cfg(feature = "igh")]
     &igh::Igh,
+    #[cfg(feature = "lcec")]
+    &lcec::Lcec,
+    #[cfg(feature = "icube")]
+    &icube::Icube,
     #[cfg(feature = "python")]
     &python::Python,
     #[cfg(feature = "eds")]
     &eds::Eds,
+    #[cfg(feature = "wireshark")]
+    &wireshark::Wireshark,
     #[cfg(feature = "rust")]
     &rust::Rust,
 ];

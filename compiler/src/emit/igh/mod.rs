@@ -3,8 +3,6 @@
 //! The master writes assignment and mapping by itself, so these are not among the SDOs. It writes SDOs in Pre-Operational
 //! only: what a configuration writes during a later change of state is not here, and a comment says so.
 
-mod setup;
-
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -48,7 +46,7 @@ impl Emitter for Igh {
 }
 
 fn tables(device: &Device, family: &str) -> String {
-    let setups = setup::setups(device);
+    let setups = program::setups(device);
     let it = program::Program::of(device, family, &[]);
     let has_places = device.sync_managers.iter().any(|manager| manager.role.is_process_data());
     let context = context! { it => Serde(&it), setups => Serde(setups), has_places };

@@ -8,6 +8,7 @@ mod ambiguous_pdo_name;
 mod ambiguous_scaling;
 mod ambiguous_value_name;
 mod ambiguous_vendor_code;
+pub(crate) mod channelless_value;
 pub(crate) mod clashing_identifier;
 mod commanded_automatic_transition;
 mod contradicted_activation;
@@ -68,10 +69,13 @@ mod overlapping_states;
 mod overlapping_sync_managers;
 pub(crate) mod overlong_mode_code;
 pub(crate) mod overlong_name;
+pub(crate) mod overlong_pin;
 mod overruled_statement;
 mod oversized_pdo;
+pub(crate) mod oversized_write;
 mod overwide_entry;
 mod patternless_state;
+pub(crate) mod pinless_value;
 mod placeholder_identity;
 mod pointless_exclusion;
 mod refused_choice;
@@ -87,6 +91,7 @@ mod reserved_index;
 pub(crate) mod several_edges;
 mod stray_profile_object;
 mod subindex_gap;
+pub(crate) mod uncontrolled_axis;
 mod undefined_default;
 pub(crate) mod undersized_eeprom;
 mod undersized_sync_manager;
@@ -134,6 +139,7 @@ lints! {
     ambiguous_scaling,
     ambiguous_value_name,
     ambiguous_vendor_code,
+    channelless_value,
     clashing_identifier,
     commanded_automatic_transition,
     contradicted_activation,
@@ -194,10 +200,13 @@ lints! {
     overlapping_sync_managers,
     overlong_mode_code,
     overlong_name,
+    overlong_pin,
     overruled_statement,
     oversized_pdo,
+    oversized_write,
     overwide_entry,
     patternless_state,
+    pinless_value,
     placeholder_identity,
     pointless_exclusion,
     refused_choice,
@@ -213,6 +222,7 @@ lints! {
     several_edges,
     stray_profile_object,
     subindex_gap,
+    uncontrolled_axis,
     undefined_default,
     undersized_eeprom,
     undersized_sync_manager,
