@@ -53,6 +53,9 @@ const LINTS: &[&Rule] = &[
     &rules::overlong_name::RULE,
     &rules::replaced_revision::RULE,
     &rules::undersized_eeprom::RULE,
+    &rules::uneven_slots::RULE,
+    &rules::unlike_slots::RULE,
+    &rules::unslotted_axis::RULE,
     &rules::unspoken_ability::RULE,
 ];
 
