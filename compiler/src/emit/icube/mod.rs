@@ -8,7 +8,7 @@ mod channel;
 use minijinja::value::Serde;
 use minijinja::{Environment, context};
 
-use super::program::{Program, Setup, each_way};
+use super::program::{Head, Setup, each_way};
 use super::{Emitter, Files, Options, template};
 use crate::diagnostic::Rule;
 use crate::lint::{Checked, rules};
@@ -50,25 +50,19 @@ impl Emitter for Icube {
     }
 
     fn emit(&self, family: &Checked<Family>, _: &Options) -> Files {
-        let ways = each_way(family).into_iter();
-        let files = ways.map(|(name, device, setup)| {
-            let it = Program::of(device, &family.id, &[]);
-            (format!("{name}.yaml"), slave(&it, &setup, device.axes.len() > 1).into_bytes())
-        });
-        Files(files.collect())
+        Files(each_way(family, ".yaml", slave))
     }
 }
 
-fn slave(it: &Program, setup: &Setup, has_axes: bool) -> String {
+fn slave(it: &Head, setup: &Setup) -> String {
+    let writes = writes(setup);
     let context = context! {
         it => Serde(it),
         setup => Serde(setup),
-        writes => Serde(writes(setup)),
-        left => setup.sdos.len() - writes(setup).len(),
-        outputs => Serde(channels(setup, true, has_axes)),
-        inputs => Serde(channels(setup, false, has_axes)),
-        clock => Serde(it.clocks.first()),
-        has_axes,
+        left => setup.sdos.len() - writes.len(),
+        writes => Serde(writes),
+        outputs => Serde(channels(setup, true, it.has_axes)),
+        inputs => Serde(channels(setup, false, it.has_axes)),
     };
     template::render("slave.yaml", include_str!("slave.yaml.j2"), filters, context)
 }

@@ -10,7 +10,7 @@ use minijinja::value::Serde;
 use minijinja::{Environment, context};
 
 use super::escape::comment;
-use super::program::{Program, Setup, each_way};
+use super::program::{Head, Setup, each_way};
 use super::{Emitter, Files, Options, template};
 use crate::diagnostic::Rule;
 use crate::lint::{Checked, rules};
@@ -49,23 +49,16 @@ impl Emitter for Lcec {
     }
 
     fn emit(&self, family: &Checked<Family>, _: &Options) -> Files {
-        let ways = each_way(family).into_iter();
-        let files = ways.map(|(name, device, setup)| {
-            let it = Program::of(device, &family.id, &[]);
-            (format!("{name}.lcec"), slave(&it, &setup).into_bytes())
-        });
-        Files(files.collect())
+        Files(each_way(family, ".lcec", slave))
     }
 }
 
-fn slave(it: &Program, setup: &Setup) -> String {
-    let period = setup.cycle_ns.unwrap_or(CYCLE_NS);
+fn slave(it: &Head, setup: &Setup) -> String {
     let context = context! {
         it => Serde(it),
         setup => Serde(setup),
         managers => Serde(pinned(&setup.managers)),
-        period,
-        clock => Serde(it.clocks.first()),
+        period => setup.cycle_ns.unwrap_or(CYCLE_NS),
     };
     template::render("slave.xml", include_str!("slave.xml.j2"), filters, context)
 }

@@ -30,10 +30,10 @@ pub(super) use self::process_data::{Field, Image, Part, Pdo, Selection};
 #[cfg(feature = "igh")]
 pub(super) use self::setup::setups;
 #[cfg(any(feature = "icube", feature = "lcec"))]
-pub(super) use self::setup::{Assigned, Entry, Setup, Step, each_way};
+pub(super) use self::setup::{Assigned, Entry, Head, Setup, Step, each_way};
 pub(super) use self::value::Kind;
 #[cfg(feature = "wireshark")]
-pub(super) use self::value::{of_type, word};
+pub(super) use self::value::of_type;
 
 use super::escape::prose;
 use super::identifier::snake;

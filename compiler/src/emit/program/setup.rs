@@ -1,7 +1,11 @@
 //! What a master sets up of a device: what is by default, and each configuration. Assignment and mapping are its own business.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
+use super::names::Names;
+use super::transport::{self, Clock};
 use super::value::{self, Kind};
 use crate::emit::escape::prose;
 use crate::emit::identifier::{Claimed, snake};
@@ -104,10 +108,40 @@ pub(in crate::emit) fn setups(device: &Device) -> Vec<Setup> {
     std::iter::once(setup(device, default, String::new())).chain(named).collect()
 }
 
-/// For each member the default, and the configurations that are not it, each with a name for a file of its own.
-pub(in crate::emit) fn each_way(family: &Family) -> Vec<(String, &Device, Setup)> {
-    let (mut taken, mut ways) = (Claimed::default(), Vec::new());
+/// What the files of all ways of a device begin with.
+#[derive(Debug, Serialize)]
+pub(in crate::emit) struct Head {
+    family: String,
+    name: String,
+    vendor_id: u32,
+    product_code: u32,
+    /// The first way to keep time, if there is one.
+    clock: Option<Clock>,
+    pub(in crate::emit) has_axes: bool,
+}
+
+fn head(device: &Device, family: &str) -> Head {
+    let clocks = transport::clocks(device, &mut Names::new(&[], ""));
+    Head {
+        family: prose(family),
+        name: prose(&device.name),
+        vendor_id: device.identity.vendor_id,
+        product_code: device.identity.product_code,
+        clock: clocks.into_iter().next(),
+        has_axes: device.axes.len() > 1,
+    }
+}
+
+/// Makes a text for the default of each member, and for the configurations that are not it, each by the name that its file
+/// can have.
+pub(in crate::emit) fn each_way(
+    family: &Family,
+    end: &str,
+    text: impl Fn(&Head, &Setup) -> String,
+) -> BTreeMap<String, Vec<u8>> {
+    let (mut taken, mut files) = (Claimed::default(), BTreeMap::new());
     for device in &family.members {
+        let head = head(device, &family.id);
         let default = device.configurations.iter().find(|it| it.default).map(|it| it.id.as_str());
         for setup in setups(device) {
             let own = setup.configuration.as_deref().filter(|_| !setup.is_default());
@@ -116,10 +150,10 @@ pub(in crate::emit) fn each_way(family: &Family) -> Vec<(String, &Device, Setup)
             }
             let name = own.map_or(device.id.clone(), |own| format!("{}-{}", device.id, snake(own)));
             let name = taken.claim(name.clone(), |number| format!("{name}_{number}"));
-            ways.push((name, device, setup));
+            files.insert(format!("{name}{end}"), text(&head, &setup).into_bytes());
         }
     }
-    ways
+    files
 }
 
 impl Setup {

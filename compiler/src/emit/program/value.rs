@@ -45,7 +45,7 @@ pub(in crate::emit) fn of_type(data_type: Option<DataType>, bits: u32, is_word: 
 }
 
 /// The word at an address, on whatever axis: its bits have names, and no sign, whatever the manual calls its type.
-pub(in crate::emit) fn word(device: &Device, address: Address) -> Option<&Word> {
+fn word(device: &Device, address: Address) -> Option<&Word> {
     let leading = device.object(address.index).map_or(address.index, |object| object.leading);
     device
         .words

@@ -6,9 +6,9 @@ use serde::Serialize;
 
 use crate::emit::escape::prose;
 use crate::emit::identifier::{Claimed, snake};
-use crate::emit::program::{Kind, of_type, word};
+use crate::emit::program::{Kind, of_type};
 use crate::emit::steps;
-use crate::model::{Address, DataType, Device, Entry as Described, Mappable, Mapped, Object};
+use crate::model::{Address, DataType, Device, Entry as Described, Mappable, Mapped, Object, Unit, Word};
 
 /// The first and the last of values, with what they mean.
 pub(super) type Meaning = (i64, i64, String);
@@ -43,13 +43,14 @@ pub(super) fn dictionary(device: &Device) -> (Vec<Named>, Vec<Entry>) {
     let title = |object: &Object| prose(&device.on_axis(&object.name, object.axis));
     let objects = device.objects.iter().map(|it| Named { index: it.index.0, title: title(it) });
     let (mapped, mut filters) = (mapped(device), Claimed::default());
+    let known = Known::of(device);
     let mut entries = Vec::new();
     for object in &device.objects {
         for it in &object.entries {
             let title = if object.entries.len() == 1 { title(object) } else { prose(&it.name) };
             let can_be = it.pdo != Mappable::None || mapped.contains_key(&it.address);
             let filter = can_be.then(|| claimed(&mut filters, path(device, object, it)));
-            entries.push(entry(device, object, it, title, filter));
+            entries.push(entry(&known, object, it, title, filter));
         }
     }
     for (address, it) in mapped.iter().filter(|(address, _)| device.entry(**address).is_none()) {
@@ -79,10 +80,26 @@ fn mapped(device: &Device) -> BTreeMap<Address, &Mapped> {
     mapped.collect()
 }
 
-fn entry(device: &Device, object: &Object, of: &Described, title: String, filter: Option<String>) -> Entry {
-    let word = word(device, of.address);
+/// What entries refer to, by how they do.
+struct Known<'d> {
+    words: BTreeMap<Address, &'d Word>,
+    units: BTreeMap<&'d str, &'d Unit>,
+}
+
+impl<'d> Known<'d> {
+    fn of(device: &'d Device) -> Self {
+        Self {
+            words: device.words.iter().rev().map(|word| (word.address, word)).collect(),
+            units: device.units.iter().rev().map(|unit| (&*unit.id, unit)).collect(),
+        }
+    }
+}
+
+fn entry(known: &Known<'_>, object: &Object, of: &Described, title: String, filter: Option<String>) -> Entry {
+    // a word stands once for all axes
+    let word = known.words.get(&Address { index: object.leading, ..of.address });
     let (kind, _) = of_type(Some(of.data_type), of.data_type.bits(), word.is_some());
-    let unit = of.unit.as_deref().and_then(|unit| steps::on(device.unit(unit)?, object.axis));
+    let unit = of.unit.as_deref().and_then(|unit| steps::on(known.units.get(unit)?, object.axis));
     let named = match (object.leading.0, of.address.subindex) {
         (0x6060 | 0x6061, 0) => Some("MODES"),
         (0x603F, 0) => Some("ERRORS"),

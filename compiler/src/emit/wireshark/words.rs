@@ -1,5 +1,7 @@
 //! Words by the id that entries name, each with what modes make of it.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::entries::Meaning;
@@ -32,16 +34,19 @@ struct OfBits {
 
 /// All words.
 pub(super) fn words(program: &Program) -> Vec<OfWord> {
-    let of = |word: &Word| {
-        let of_modes = program.words.iter().filter(|other| other.id == word.id);
-        let of_modes = of_modes.filter_map(|other| {
-            let code = other.mode?;
-            let mode = program.modes.iter().find(|mode| mode.code == i64::from(code))?;
-            Some(OfMode { code, bits: all_bits(other, &format!("{}.", mode.name)) })
-        });
-        OfWord { id: word.id.clone(), bits: all_bits(word, ""), modes: of_modes.collect() }
+    let names: BTreeMap<i64, &str> = program.modes.iter().map(|mode| (mode.code, &*mode.name)).collect();
+    let mut of_modes: BTreeMap<&str, Vec<OfMode>> = BTreeMap::new();
+    for word in &program.words {
+        let named = word.mode.and_then(|code| Some((code, names.get(&code.into())?)));
+        let of_mode = named.map(|(code, name)| OfMode { code, bits: all_bits(word, &format!("{name}.")) });
+        of_modes.entry(&word.id).or_default().extend(of_mode);
+    }
+    let mut of = |word: &Word| OfWord {
+        id: word.id.clone(),
+        bits: all_bits(word, ""),
+        modes: of_modes.remove(&*word.id).unwrap_or_default(),
     };
-    program.words.iter().filter(|word| word.mode.is_none()).map(of).collect()
+    program.words.iter().filter(|word| word.mode.is_none()).map(&mut of).collect()
 }
 
 fn all_bits(word: &Word, prefix: &str) -> Vec<OfBits> {
