@@ -10,7 +10,6 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use devc::lint::Levels;
 use devc::source::Disk;
 use devc_virtual::{Interface, Subdevice, Trace, Wire};
 
@@ -61,7 +60,7 @@ impl Run {
         let mut outcome = Outcome::Clean;
         let (mut known, mut names, mut subdevices) = (Vec::new(), Vec::new(), Vec::new());
         for path in descriptions(&self.paths, report)? {
-            let compilation = devc::compile_with(&Disk, &path, &Levels::default(), &mut |_| ());
+            let compilation = devc::compile(&Disk, &path);
             report.diagnostics(&compilation);
             outcome = outcome.max(verdict(&compilation, false));
             let Some(family) = &compilation.family else { continue };

@@ -18,10 +18,11 @@ use std::{env, fmt, fs, io};
 
 use crate::diagnostic::render::{Style, text};
 use crate::diagnostic::{Diagnostic, Level};
-use crate::emit::rust::{Options, module, snake};
+use crate::emit::rust::{LINTS, Options, module, snake};
+use crate::lint::Levels;
 use crate::source::{Disk, plain};
 use crate::text::characters::line;
-use crate::{Compilation, compile};
+use crate::{Compilation, Request, compile_with};
 
 /// Writes the Rust of a description to `file` in the folder that Cargo keeps for the build script's outputs, as a
 /// module named after the file.
@@ -34,7 +35,8 @@ use crate::{Compilation, compile};
 pub fn rust(description: impl AsRef<Path>, file: impl AsRef<Path>) -> Result<(), Failed> {
     let (description, file) = (description.as_ref(), file.as_ref());
     let target = target(env::var_os("OUT_DIR").map(PathBuf::from), file)?;
-    let compilation = compile(&Disk, description);
+    let request = Request { levels: Levels::default(), outputs: LINTS.to_vec() };
+    let compilation = compile_with(&Disk, description, &request, &mut |_| ());
     tell_cargo(description, &compilation);
     let Some(family) = &compilation.family else {
         return Err(Failed(messages(&compilation, Level::Error).collect::<Vec<_>>().join("\n\n")));

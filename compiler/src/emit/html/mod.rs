@@ -11,12 +11,16 @@ mod figure;
 mod sequences;
 
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::Family;
 
 /// The emitter of the page.
 #[derive(Debug)]
 pub struct Html;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::empty_name::RULE];
 
 impl Emitter for Html {
     fn name(&self) -> &'static str {
@@ -29,6 +33,10 @@ impl Emitter for Html {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".html"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

@@ -31,13 +31,17 @@ pub(super) use picture::{Area, Light, Part, Picture};
 pub(super) use table::{Row, Table};
 
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::Family;
 use crate::text::characters::harmless;
 
 /// The emitter of the reference.
 #[derive(Debug)]
 pub struct Markdown;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::empty_name::RULE];
 
 impl Emitter for Markdown {
     fn name(&self) -> &'static str {
@@ -50,6 +54,10 @@ impl Emitter for Markdown {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".md"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

@@ -53,10 +53,24 @@ pub use names::{camel, snake};
 #[cfg(feature = "rust")]
 pub use text::{Rust, module, text};
 
+#[cfg(any(feature = "rust", feature = "derive"))]
+use crate::diagnostic::Rule;
 use crate::lint::Checked;
+#[cfg(any(feature = "rust", feature = "derive"))]
+use crate::lint::rules;
 use crate::model::{Device, Family};
 use braces::braces;
 use scope::Scope;
+
+/// What Rust cannot hold.
+#[cfg(any(feature = "rust", feature = "derive"))]
+pub(crate) const LINTS: &[&Rule] = &[
+    &rules::clashing_identifier::RULE,
+    &rules::empty_name::RULE,
+    &rules::foreign_state::RULE,
+    &rules::overlong_mode_code::RULE,
+    &rules::several_edges::RULE,
+];
 
 /// What generated code depends on its surroundings for.
 #[derive(Debug, Clone)]

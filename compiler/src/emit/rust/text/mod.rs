@@ -20,7 +20,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::braces::braces;
-use super::{Options, tokens};
+use super::{LINTS, Options, tokens};
+use crate::diagnostic::Rule;
 use crate::emit::{Emitter, Files};
 use crate::lint::Checked;
 use crate::model::Family;
@@ -43,6 +44,10 @@ impl Emitter for Rust {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".rs"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {
