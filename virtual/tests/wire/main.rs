@@ -16,3 +16,4 @@ mod master;
 mod served;
 mod states;
 mod trace;
+mod wired;

@@ -42,6 +42,7 @@ mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
+mod impossible_boot_mailbox;
 mod impossible_eeprom_size;
 mod incomplete_timeouts;
 mod indistinct_members;
@@ -168,6 +169,7 @@ lints! {
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
+    impossible_boot_mailbox,
     impossible_eeprom_size,
     incomplete_timeouts,
     indistinct_members,
