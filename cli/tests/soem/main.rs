@@ -93,13 +93,19 @@ impl Network {
     }
 }
 
-impl Drop for Network {
-    fn drop(&mut self) {
-        if let Some(devc) = &mut self.devc {
-            // it has gone, or it goes now
+impl Network {
+    /// Ends devc, if it has not ended.
+    fn stop(&mut self) {
+        if let Some(mut devc) = self.devc.take() {
             let _ = devc.kill();
             let _ = devc.wait();
         }
+    }
+}
+
+impl Drop for Network {
+    fn drop(&mut self) {
+        self.stop();
         ip(&["netns", "delete", &self.name]);
     }
 }
@@ -174,4 +180,20 @@ fn nine_devices_on_one_cable_come_to_operational() {
     let expected = [[42, 66], [6, 6], [6, 6], [6, 6], [6, 6], [46, 58], [23, 29], [46, 58], [23, 29]];
     assert_eq!(lengths, expected.map(|lengths| json!(lengths)).iter().collect::<Vec<_>>());
     assert_eq!((&seen["wrong"], &seen["states"]), (&json!(0), &json!(vec![8; 9])));
+}
+
+/// CiA 301: `save` in 0x1010:01 stores all.
+#[test]
+fn what_a_master_stores_is_there_in_the_next_run() {
+    let Some(mut network) = network("stored") else { return };
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("stored.json");
+    let arguments = ["virtual/tests/shared/own.toml", "--store", file.to_str().expect("text")];
+    network.run(&arguments);
+    let writes = json!([[[[0x2000, 0, "0900"], [0x1010, 1, "73617665"]]]]);
+    assert_eq!(network.ask("configure.py", &writes)[0]["states"], json!([8]));
+    network.stop();
+    network.run(&arguments);
+    let read = network.ask("dictionary.py", &json!([[[[0x2000, 0], [0x1010, 1]], false]]));
+    assert_eq!(read[0]["values"], json!(["0900", "01000000"]));
 }

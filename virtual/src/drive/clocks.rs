@@ -22,7 +22,7 @@ impl ClockModes {
         let shortest = cycles.map(|cycle| cycle.0).min();
         Self {
             signals: device.clock_modes().iter().map(signals).collect(),
-            shortest: shortest.and_then(|ns| Some(Duration::from_nanos(u64::try_from(ns).ok()?))),
+            shortest: shortest.map(Duration::from_nanos),
         }
     }
 

@@ -209,9 +209,9 @@ fn latches_keep_the_time_of_an_edge() {
     for (latch, times) in [(0_u16, [0x09B0, 0x09B8]), (1, [0x09C0, 0x09C8])] {
         let mut bench = three();
         set(&mut bench, 1_000_000_000);
-        let mut edge = |bench: &mut Bench, is_high| {
+        let edge = |bench: &mut Bench, is_high| {
             let now = u64::from_le_bytes(read(bench, 0, 0x0910));
-            bench.wire.subdevices_mut()[0].latch(latch.into(), is_high);
+            bench.wire.subdevices_mut()[0].latch(latch, is_high);
             // reading the time took a frame of 100 µs
             now + 100_000
         };
