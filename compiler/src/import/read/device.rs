@@ -149,5 +149,6 @@ fn signal(mode: &Element<'_>, cycle: &str, shift: &str) -> Option<Signal> {
 
 fn eeprom(element: &Element<'_>) -> Eeprom {
     let config_data = element.child_as("ConfigData", bytes).unwrap_or_default();
-    Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data }
+    let bootstrap = element.child_as("BootStrap", bytes).unwrap_or_default();
+    Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data, bootstrap }
 }

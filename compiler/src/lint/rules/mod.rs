@@ -44,6 +44,7 @@ mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
+mod impossible_boot_mailbox;
 pub(crate) mod impossible_eeprom_size;
 pub(crate) mod incomplete_timeouts;
 pub(crate) mod indistinct_members;
@@ -179,6 +180,7 @@ lints! {
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
+    impossible_boot_mailbox,
     impossible_eeprom_size,
     incomplete_timeouts,
     indistinct_members,
