@@ -47,6 +47,10 @@ pub(super) struct Build {
     #[arg(long)]
     no_editorial: bool,
 
+    /// Leave the dictionary for a firmware out of Rust: a master needs none.
+    #[arg(long)]
+    no_dictionary: bool,
+
     /// Write nothing; say which outputs are not up to date.
     #[arg(long)]
     check: bool,
@@ -143,7 +147,7 @@ impl Build {
         };
         // the last takes longest, so it is begun first
         let emitters: Vec<&dyn Emitter> = emit::ALL.iter().rev().filter(wanted).copied().collect();
-        let options = Options { editorial: !self.no_editorial };
+        let options = Options { editorial: !self.no_editorial, dictionary: !self.no_dictionary };
         let made = workers.map(&emitters, |emitter| {
             let start = Instant::now();
             (emit::emit(family, &[*emitter], &options), start.elapsed())
