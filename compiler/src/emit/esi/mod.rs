@@ -45,6 +45,7 @@ const LINTS: &[&Rule] = &[
     &rules::contradicted_config_data::RULE,
     &rules::contradicted_period::RULE,
     &rules::empty_name::RULE,
+    &rules::impossible_boot_mailbox::RULE,
     &rules::impossible_eeprom_size::RULE,
     &rules::incomplete_timeouts::RULE,
     &rules::indistinct_members::RULE,

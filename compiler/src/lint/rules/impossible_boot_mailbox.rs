@@ -19,7 +19,7 @@ rule! {
     /// config-data = "050E03EE0000"
     /// bootstrap = "0010 8000 8010 8000"
     /// ```
-    pub(super) static RULE = "impossible-boot-mailbox", Output, Warning,
+    pub(crate) static RULE = "impossible-boot-mailbox", Output, Warning,
         "no mailbox can lie where Bootstrap has it";
 }
 

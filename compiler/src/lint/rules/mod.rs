@@ -44,7 +44,7 @@ mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
-mod impossible_boot_mailbox;
+pub(crate) mod impossible_boot_mailbox;
 pub(crate) mod impossible_eeprom_size;
 pub(crate) mod incomplete_timeouts;
 pub(crate) mod indistinct_members;
