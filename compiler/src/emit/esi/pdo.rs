@@ -22,7 +22,7 @@ fn pdo(device: &Device, pdo: &Pdo) -> Element {
         .with_some("Sm", device.manager_of(pdo).map(|manager| manager.number))
         .with_some("Su", sync_unit(device, pdo))
         .child(Element::leaf("Index", Hex(pdo.index.0)))
-        .child(Element::worded("Name", device.on_axis(&pdo.name, pdo.axis)))
+        .children(names::named(device, &pdo.name, &pdo.names, pdo.axis))
         .children(excludes(device, pdo).into_iter().map(|other| Element::leaf("Exclude", Hex(other.0))))
         .children(pdo.entries.iter().map(|mapped| entry(device, pdo, mapped)))
 }
@@ -57,7 +57,7 @@ fn entry(device: &Device, pdo: &Pdo, mapped: &Mapped) -> Element {
         .child(Element::leaf("Index", Hex(address.index.0)))
         .child(Element::leaf("SubIndex", address.subindex))
         .child(Element::leaf("BitLen", mapped.bits))
-        .child(Element::worded("Name", names::mapped(device, pdo, mapped)))
+        .children(names::mapped(device, pdo, mapped))
         .child(Element::leaf("DataType", data_type))
 }
 

@@ -1,9 +1,9 @@
-//! `Profile`: the drive profile, a channel for each axis, and the object dictionary.
+//! `Profile`: the drive profile, a channel for each axis, the object dictionary and the diagnosis messages.
 
 use super::composite::Shape;
 use super::element::Element;
-use super::objects;
 use super::types::Types;
+use super::{diagnosis, objects};
 use crate::model::{Address, Device, Index};
 
 /// The profile with the dictionary.
@@ -17,6 +17,7 @@ pub(super) fn profile(device: &Device) -> Element {
         .children(number(device, information(device)))
         .children(channels(device))
         .child(dictionary)
+        .child(diagnosis::messages(device))
 }
 
 fn channels(device: &Device) -> impl Iterator<Item = Element> {

@@ -74,6 +74,7 @@ mod overwide_entry;
 mod patternless_state;
 mod placeholder_identity;
 mod pointless_exclusion;
+mod portless_current;
 mod refused_choice;
 mod renamed_entry;
 mod repeated_alias;
@@ -200,6 +201,7 @@ lints! {
     patternless_state,
     placeholder_identity,
     pointless_exclusion,
+    portless_current,
     refused_choice,
     renamed_entry,
     repeated_alias,

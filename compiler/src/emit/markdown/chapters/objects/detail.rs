@@ -5,7 +5,7 @@ use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
+use crate::model::{Entry, Mode, Object, Pdo, Property, Source, Trigger};
 use crate::source::Origin;
 
 /// What there is to say of an object.
@@ -89,6 +89,7 @@ struct Facts<'a> {
     note: Option<&'a str>,
     functional: bool,
     parameter: Option<&'a str>,
+    properties: &'a [Property],
     backup: bool,
     setting: bool,
 }
@@ -101,9 +102,11 @@ impl<'a> Facts<'a> {
             note,
             functional,
             parameter,
+            properties,
             index: _,
             id: _,
             name: _,
+            names: _,
             kind: _,
             axis: _,
             category: _,
@@ -119,6 +122,7 @@ impl<'a> Facts<'a> {
             note: note.as_deref(),
             functional: *functional,
             parameter: parameter.as_deref(),
+            properties,
             backup: false,
             setting: false,
         }
@@ -131,11 +135,13 @@ impl<'a> Facts<'a> {
             note,
             functional,
             parameter,
+            properties,
             backup,
             setting,
             address: _,
             id: _,
             name: _,
+            names: _,
             data_type: _,
             access: _,
             pdo: _,
@@ -156,6 +162,7 @@ impl<'a> Facts<'a> {
             note: note.as_deref(),
             functional: *functional,
             parameter: parameter.as_deref(),
+            properties,
             backup: *backup,
             setting: *setting,
         }
@@ -171,7 +178,8 @@ impl<'a> Facts<'a> {
             self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        [functional, about, note, parameter, backup, setting].into_iter().flatten().collect()
+        let said = [functional, about, note, parameter, backup, setting].into_iter().flatten();
+        said.chain(self.properties.iter().map(property)).collect()
     }
 }
 
@@ -220,4 +228,12 @@ fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page
         let about = context.optional(meaning.about.as_deref());
         [context.number_of(entry, meaning.value.into()), text(&meaning.name), about]
     }));
+}
+
+/// What the vendor's tools are told.
+fn property(property: &Property) -> String {
+    let Property { name, value, about } = property;
+    let value = value.as_ref().map_or(String::new(), |value| format!(" {}", code(value)));
+    let about = about.as_ref().map_or(String::new(), |about| format!(": {}", text(about)));
+    sentence(&format!("{}{value}{about}", text(name)))
 }
