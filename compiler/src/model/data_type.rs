@@ -178,6 +178,8 @@ impl DataType {
         let whole = |bits: &u8| (8..=64).contains(bits) && bits.is_multiple_of(8);
         let plain = match text.as_str() {
             "BOOLEAN" | "BIT" => Some(Self::Bool),
+            "F32" | "FLOAT" | "FLOAT32" => Some(Self::Real32),
+            "F64" | "DOUBLE" | "FLOAT64" => Some(Self::Real64),
             "SINT" => Some(Self::Int(8)),
             "INT" => Some(Self::Int(16)),
             "DINT" => Some(Self::Int(32)),
@@ -196,6 +198,9 @@ impl DataType {
         plain
             .or_else(|| bits("INTEGER").filter(whole).map(Self::Int))
             .or_else(|| bits("UNSIGNED").filter(whole).map(Self::Uint))
+            .or_else(|| bits("I").filter(whole).map(Self::Int))
+            .or_else(|| bits("U").filter(whole).map(Self::Uint))
+            .or_else(|| text.strip_suffix("_T")?.parse().ok())
             .or_else(|| sized(text.strip_prefix("VISIBLE_")?))
             .or_else(|| array(&text))
             .or_else(|| text.parse().ok())
@@ -232,6 +237,11 @@ mod tests {
             ("VISIBLE_STRING(20)", "STRING(20)"),
             ("ARRAY [0..7] OF BYTE", "OCTET_STRING(8)"),
             ("int16", "INT16"),
+            ("u16", "UINT16"),
+            ("i32", "INT32"),
+            ("f32", "REAL32"),
+            ("uint8_t", "UINT8"),
+            ("double", "REAL64"),
         ];
         for (elsewhere, here) in pairs {
             let found = DataType::named_elsewhere(elsewhere).map(|it| it.to_string());

@@ -12,6 +12,7 @@ mod head;
 mod languages;
 mod layout;
 mod process_data;
+mod slots;
 mod start_up;
 mod subjects;
 mod sync_managers;

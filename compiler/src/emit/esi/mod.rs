@@ -12,6 +12,7 @@ mod eeprom;
 mod element;
 mod enumeration;
 mod flags;
+mod frame;
 mod groups;
 mod heading;
 mod info;
@@ -22,6 +23,7 @@ mod objects;
 mod pdo;
 mod primitive;
 mod profile;
+mod slots;
 mod sync_managers;
 mod types;
 mod vendor;
@@ -75,6 +77,7 @@ fn root(family: &Family) -> Element {
         .child(
             Element::new("Descriptions")
                 .child(groups::groups(family))
-                .child(Element::new("Devices").children(devices)),
+                .child(Element::new("Devices").children(devices))
+                .child(slots::modules(family)),
         )
 }

@@ -2,16 +2,17 @@
 
 use super::composite::{Member, Shape};
 use super::element::Element;
-use super::literal::{Bytes, Hex};
+use super::frame::Frame;
+use super::literal::Bytes;
 use super::types::Types;
 use super::{comment, flags, names};
-use crate::model::{Device, Object, Property, Value};
+use crate::model::{Object, Property, Value};
 
 /// An object.
-pub(super) fn object(device: &Device, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
+pub(super) fn object(frame: Frame<'_>, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
     Element::new("Object")
-        .child(Element::leaf("Index", Hex(object.index.0)))
-        .children(names::named(device, &object.name, &object.names, object.axis))
+        .child(frame.object(object.index))
+        .children(names::named(frame, &object.name, &object.names, object.axis))
         .child(comment::of_object(object, shape))
         .child(Element::leaf("Type", types.name_of(object, shape)))
         .child(Element::leaf("BitSize", shape.bits()))

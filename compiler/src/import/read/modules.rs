@@ -88,6 +88,11 @@ fn shifted_pdo(element: &Element<'_>, plugged: &Plugged<'_, '_>) -> Option<Pdo> 
     if depends(element) {
         pdo.index = pdo.index.checked_add(plugged.pdos)?;
     }
+    for ((excluded, _), written) in pdo.excludes.iter_mut().zip(element.all("Exclude")) {
+        if written.attribute_as("DependOnSlot", truth).unwrap_or(false) {
+            *excluded = excluded.checked_add(plugged.pdos)?;
+        }
+    }
     for (entry, written) in pdo.entries.iter_mut().zip(element.all("Entry")) {
         if entry.index > 0 && depends(written) {
             entry.index = entry.index.checked_add(plugged.objects)?;
