@@ -80,6 +80,7 @@ mod patternless_state;
 pub(crate) mod pinless_value;
 mod placeholder_identity;
 mod pointless_exclusion;
+mod portless_current;
 mod refused_choice;
 mod renamed_entry;
 mod repeated_alias;
@@ -216,6 +217,7 @@ lints! {
     pinless_value,
     placeholder_identity,
     pointless_exclusion,
+    portless_current,
     refused_choice,
     renamed_entry,
     repeated_alias,

@@ -96,6 +96,7 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         total,
         direction: _,
         name: _,
+        names: _,
         axis: _,
         entries: _,
         excludes: _,

@@ -5,7 +5,7 @@ use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
+use crate::model::{Entry, Mode, Object, Pdo, Property, Source, Trigger};
 use crate::source::Origin;
 
 /// What there is to say of an object.
@@ -88,6 +88,7 @@ struct Facts<'a> {
     about: Option<&'a str>,
     note: Option<&'a str>,
     functional: bool,
+    properties: &'a [Property],
     backup: bool,
     setting: bool,
 }
@@ -99,9 +100,11 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
+            properties,
             index: _,
             id: _,
             name: _,
+            names: _,
             kind: _,
             axis: _,
             category: _,
@@ -117,6 +120,7 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
+            properties,
             backup: false,
             setting: false,
         }
@@ -128,12 +132,14 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
+            properties,
             backup,
             setting,
             parameter: _,
             address: _,
             id: _,
             name: _,
+            names: _,
             data_type: _,
             access: _,
             pdo: _,
@@ -153,6 +159,7 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
+            properties,
             backup: *backup,
             setting: *setting,
         }
@@ -166,7 +173,8 @@ impl<'a> Facts<'a> {
         let note = self.note.map(|note| marked("note", note));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        [functional, about, note, backup, setting].into_iter().flatten().collect()
+        let said = [functional, about, note, backup, setting].into_iter().flatten();
+        said.chain(self.properties.iter().map(property)).collect()
     }
 }
 
@@ -215,4 +223,12 @@ fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page
         let about = context.optional(meaning.about.as_deref());
         [context.number_of(entry, meaning.value.into()), text(&meaning.name), about]
     }));
+}
+
+/// What the vendor's tools are told.
+fn property(property: &Property) -> String {
+    let Property { name, value, about } = property;
+    let value = value.as_ref().map_or(String::new(), |value| format!(" {}", code(value)));
+    let about = about.as_ref().map_or(String::new(), |about| format!(": {}", text(about)));
+    sentence(&format!("{}{value}{about}", text(name)))
 }
