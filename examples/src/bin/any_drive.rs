@@ -6,9 +6,9 @@ use devc_generated::s700::{
     Controlword, Family, MACHINE, ModeOfOperation, RxPdo1701, Statusword, TxPdo1B01, objects,
 };
 use devc_runtime::Family as _;
-use devc_runtime::cia402::{Drive, Events, Feedback, Goal, Master, Mode};
+use devc_runtime::cia402::{Drive, Events, Feedback, Goal, Master};
 use devc_runtime::object::{Entry, Readable, Value};
-use devc_runtime::pdo::{InPlace, Pdo, ProcessImage};
+use devc_runtime::pdo::{InPlace, Pdo, ProcessData, ProcessImage};
 use devc_runtime::start_up::{BringUp, StartUp, Write};
 
 #[derive(Debug, Clone, Copy, PartialEq, ProcessImage)]
