@@ -14,7 +14,7 @@ use crate::text::near::{list, near};
 /// The first fault of a table.
 #[derive(Debug)]
 pub(super) struct Error {
-    fault: Fault,
+    fault: Box<Fault>,
     /// The innermost value or table around the fault.
     at: Option<Location>,
     /// The innermost key above the fault.
@@ -93,13 +93,13 @@ impl Error {
 
     /// Whether this is about one of these keys missing in its table.
     pub(super) fn is_missing(&self, keys: &[(Location, &str)]) -> bool {
-        matches!(self.fault, Fault::Missing(key) if keys.iter().any(|(at, name)| Some(*at) == self.at && *name == key))
+        matches!(*self.fault, Fault::Missing(key) if keys.iter().any(|(at, name)| Some(*at) == self.at && *name == key))
     }
 
     pub(super) fn into_diagnostic(self) -> Diagnostic {
         let at = self.at.unwrap_or(Location { file: FileId(0), start: 0, end: 0 });
         let of = |word: &str| self.key.as_ref().map(|key| format!("{word} `{key}`")).unwrap_or_default();
-        match self.fault {
+        match *self.fault {
             Fault::Type { expected, found, meant } => {
                 let message = format!("expected {expected}, found {found}");
                 let fault = Diagnostic::new(&faults::WRONG_TYPE, message, at, of("in"));
@@ -144,7 +144,7 @@ fn word(diagnostic: Diagnostic, found: &str, known: &[&'static str], quoted: boo
 
 impl From<Fault> for Error {
     fn from(fault: Fault) -> Self {
-        Self { fault, at: None, key: None, in_key: false }
+        Self { fault: Box::new(fault), at: None, key: None, in_key: false }
     }
 }
 
