@@ -159,7 +159,7 @@ quantity = \"torque\"
 symbol = \"%\"
 raw-per-unit = 10
 ";
-    let loader = Memory::new().with("/scaled/device.toml", &format!("{BARE}{objects}"));
+    let loader = Memory::new().with("/scaled/device.toml", format!("{BARE}{objects}"));
     let compilation = devc::compile(&loader, Path::new("/scaled"));
     let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
     let text = reference(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")));

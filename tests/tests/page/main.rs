@@ -9,7 +9,9 @@ mod choice;
 mod decoders;
 mod pictures;
 
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use browser::Browser;
 use devc::emit::html::Html;
@@ -20,7 +22,15 @@ use serde_json::Value;
 
 const DEVICES: [&str; 3] = ["c887", "pmc-sc6", "s700"];
 
-fn outputs(device: &str) -> Files {
+/// The outputs of each device, made once for all tests.
+static OUTPUTS: LazyLock<BTreeMap<&str, Files>> =
+    LazyLock::new(|| DEVICES.map(|device| (device, made(device))).into());
+
+fn outputs(device: &str) -> &'static Files {
+    &OUTPUTS[device]
+}
+
+fn made(device: &str) -> Files {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices").join(device);
     let family = devc::compile(&Disk, &folder).family.expect("the description compiles");
     emit::emit(&family, &[&Html, &Json], &Options::default())

@@ -93,7 +93,7 @@ fn out_of_a_fault(device: &Device) -> Sequence {
     Sequence {
         id: "out-of-a-fault",
         title: "Out of a fault",
-        about: "What the drive has found is told by the error code; the cause has to be gone before the reset.",
+        about: "What tells the cause, where the drive has that, and what resets the fault.",
         head: "From",
         rows: way.map(row).into_iter().collect(),
     }

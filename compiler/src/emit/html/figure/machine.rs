@@ -99,7 +99,7 @@ fn arrow(side: &mut Side, start: usize, end: usize, labels: &[Label]) -> String 
     } else {
         (left(), left() - offset, left() - 28)
     };
-    let numbers = labels.iter().map(number).collect::<Vec<_>>().join(", ");
+    let numbers = labels.iter().map(number).collect::<Vec<_>>().join(" ");
     let titles = labels.iter().map(title).collect::<Vec<_>>().join("\n");
     format!(
         "<g class=\"arrow\"><title>{}</title><path d=\"M{edge} {y1}H{bend}V{y2}H{edge}\" marker-end=\"url(#tip)\"/>\
