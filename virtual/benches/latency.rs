@@ -22,7 +22,7 @@ mod cycle;
 const MASTER: &str = "devc-bench-m";
 const DEVICE: &str = "devc-bench-d";
 
-const FRAMES: usize = 10_000;
+const FRAMES: usize = 3_000;
 /// How long a master waits before it takes a frame for lost.
 const LOST: Duration = Duration::from_millis(50);
 /// Where a frame has the number of its first datagram, and the bit that marks it as returned.
@@ -130,7 +130,8 @@ fn send(frame: &[u8], counter: usize) -> ([Vec<Duration>; 2], usize) {
             }
             None => lost += 1,
         }
-        thread::sleep(Duration::from_micros(200));
+        // by the next frame the firmware has done its work
+        thread::sleep(cycle::PERIOD);
     }
     (times, lost)
 }

@@ -26,7 +26,7 @@ fn bytes(device: &Device, chosen: Option<&Configuration>, way: Direction) -> u32
     let own = |index| chosen?.mapping.iter().find(|pdo: &&Pdo| pdo.index == index && is_written(index));
     let pdos =
         pdos.iter().map(|index| own(*index).or_else(|| device.pdo(*index)).expect("there is such a PDO"));
-    pdos.flat_map(|pdo| &pdo.entries).map(|entry| u32::from(entry.bits)).sum::<u32>().div_ceil(8)
+    pdos.flat_map(|pdo| &pdo.entries).map(|entry| entry.bits).sum::<u32>().div_ceil(8)
 }
 
 #[test]
