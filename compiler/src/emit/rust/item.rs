@@ -27,8 +27,11 @@ pub(super) struct Item<'a> {
     /// The items that it names.
     pub(super) uses: Vec<(Space, Ident)>,
     pub(super) reach: Reach,
-    code: Box<dyn Fn(&Holders<'_>) -> (Doc, TokenStream) + 'a>,
+    code: Code<'a>,
 }
+
+/// Writes an item, once it is known which module holds what it names.
+type Code<'a> = Box<dyn Fn(&Holders<'_>) -> (Doc, TokenStream) + 'a>;
 
 /// From where an item can be used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
