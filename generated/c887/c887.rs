@@ -989,6 +989,9 @@ pub mod objects {
 
         /// `0x607D:01` Min position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
         ///
+        /// Contradicted, default: Between 0 and 0 there is no way to move; so the limits are filled in at
+        /// start, or not in force. On all six axes.
+        ///
         /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn min_position_limit(
             axis: Axis,
@@ -997,6 +1000,9 @@ pub mod objects {
         }
 
         /// `0x607D:02` Max position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
+        ///
+        /// Contradicted, default: Between 0 and 0 there is no way to move; so the limits are filled in at
+        /// start, or not in force. On all six axes.
         ///
         /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn max_position_limit(
@@ -2440,6 +2446,9 @@ impl BringUp for C887 {
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
     ];
+
+    const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] =
+        &[::devc_runtime::start_up::CycleLimit { least_ns: 1000000, choices_ns: &[] }];
 }
 
 /// Start-up lists of the choices that are described, what to write in order, and the process data that there is

@@ -3329,6 +3329,17 @@ pub mod double {
             AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
             AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
         ];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
@@ -4115,6 +4126,9 @@ pub mod double {
         ///
         /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
         /// what the profile has for the mode.
+        ///
+        /// Contradicted, control-bits.6.about: Bits 4 and 6 are printed with other names and the same two
+        /// values; by the profile, bit 4 leaves the ramp and bit 6 its input, which this drive may do, too.
         Vl = 2,
         /// Profile velocity mode.
         ///
@@ -4556,9 +4570,13 @@ pub mod double {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
+        ///
+        /// Corrected, parameters; the source says: parameters = I102, A587\[0\], A587\[1\], A588, I44, A569,
+        /// I43. The method looks for the positive limit switch, whose source is I101; its sister E, number 2,
+        /// has the other one.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
 
         /// Homing on positive home switch. Method H.
@@ -9483,6 +9501,17 @@ pub mod single {
         const MAPS: bool = false;
 
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
@@ -10169,6 +10198,9 @@ pub mod single {
         ///
         /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
         /// what the profile has for the mode.
+        ///
+        /// Contradicted, control-bits.6.about: Bits 4 and 6 are printed with other names and the same two
+        /// values; by the profile, bit 4 leaves the ramp and bit 6 its input, which this drive may do, too.
         Vl = 2,
         /// Profile velocity mode.
         ///
@@ -10610,9 +10642,13 @@ pub mod single {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
+        ///
+        /// Corrected, parameters; the source says: parameters = I102, A587\[0\], A587\[1\], A588, I44, A569,
+        /// I43. The method looks for the positive limit switch, whose source is I101; its sister E, number 2,
+        /// has the other one.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
 
         /// Homing on positive home switch. Method H.
@@ -15926,6 +15962,17 @@ pub mod double_hires {
             AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
             AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
         ];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
@@ -16712,6 +16759,9 @@ pub mod double_hires {
         ///
         /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
         /// what the profile has for the mode.
+        ///
+        /// Contradicted, control-bits.6.about: Bits 4 and 6 are printed with other names and the same two
+        /// values; by the profile, bit 4 leaves the ramp and bit 6 its input, which this drive may do, too.
         Vl = 2,
         /// Profile velocity mode.
         ///
@@ -17153,9 +17203,13 @@ pub mod double_hires {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
+        ///
+        /// Corrected, parameters; the source says: parameters = I102, A587\[0\], A587\[1\], A588, I44, A569,
+        /// I43. The method looks for the positive limit switch, whose source is I101; its sister E, number 2,
+        /// has the other one.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
 
         /// Homing on positive home switch. Method H.
@@ -21975,6 +22029,17 @@ pub mod single_hires {
         const MAPS: bool = false;
 
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+            ::devc_runtime::start_up::CycleLimit {
+                least_ns: 0,
+                choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000],
+            },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
@@ -22661,6 +22726,9 @@ pub mod single_hires {
         ///
         /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
         /// what the profile has for the mode.
+        ///
+        /// Contradicted, control-bits.6.about: Bits 4 and 6 are printed with other names and the same two
+        /// values; by the profile, bit 4 leaves the ramp and bit 6 its input, which this drive may do, too.
         Vl = 2,
         /// Profile velocity mode.
         ///
@@ -23102,9 +23170,13 @@ pub mod single_hires {
         /// 4. Stops with A588.
         /// 5. With I43 = 1, goes to A569.
         ///
-        /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+        /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
         ///
         /// Source: Tab. 4, 6.4.1.1.7.
+        ///
+        /// Corrected, parameters; the source says: parameters = I102, A587\[0\], A587\[1\], A588, I44, A569,
+        /// I43. The method looks for the positive limit switch, whose source is I101; its sister E, number 2,
+        /// has the other one.
         pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
 
         /// Homing on positive home switch. Method H.

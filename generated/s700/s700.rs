@@ -4686,6 +4686,12 @@ pub mod s300 {
         const MAPS: bool = true;
 
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
@@ -10005,6 +10011,12 @@ pub mod s400 {
         const MAPS: bool = false;
 
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit { least_ns: 1000000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 500000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
@@ -14964,6 +14976,12 @@ pub mod s600 {
         const MAPS: bool = false;
 
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit { least_ns: 1000000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 500000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
@@ -21152,6 +21170,12 @@ pub mod s700 {
         const MAPS: bool = true;
 
         const AXES: &'static [AxisObjects] = &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }];
+
+        const CYCLES: &'static [::devc_runtime::start_up::CycleLimit] = &[
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+            ::devc_runtime::start_up::CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ];
     }
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that there is

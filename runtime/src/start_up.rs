@@ -3,11 +3,15 @@
 //! The order is that of ETG.1020: assignments are cleared before mappings change, and a count is written after what
 //! it counts. What the device does not let a master write is not in a list.
 
+mod cycle;
+
 use core::fmt;
 
 use crate::Device;
 use crate::object::Address;
 use crate::pdo::{Carries, Direction, MappedPdo, ProcessImage, Rx, Tx};
+
+pub use cycle::CycleLimit;
 
 /// A write through the mailbox: an SDO download on the way to process data.
 ///
@@ -78,6 +82,8 @@ pub trait BringUp: Device {
     const MAPS: bool;
     /// The objects of each axis that does something with them.
     const AXES: &'static [AxisObjects];
+    /// The cycle times that the device takes, for one use or another; any if none are told.
+    const CYCLES: &'static [CycleLimit] = &[];
 }
 
 /// The objects of an axis that are written once, before it is run.
@@ -93,7 +99,7 @@ pub struct AxisObjects {
 /// is compiled:
 ///
 /// ```ignore
-/// const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().mode(8).cycle_ns::<2_000_000>();
+/// const CHOICE: StartUp = StartUp::cyclic::<Outputs, Inputs, 2_000_000>().mode(8);
 /// const LIST: [Write; CHOICE.len()] = CHOICE.writes();
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -121,16 +127,27 @@ impl StartUp {
         Self { outputs, inputs, maps, axes, mode: None, cycle: None }
     }
 
+    /// The process data of both directions, exchanged in this many nanoseconds, which each axis is told that has 0x60C2. That
+    /// counts up to 255 of a power of ten of a second: a time that it cannot hold does not compile, nor does one that the
+    /// device does not take.
+    pub const fn cyclic<O, I, const NS: u64>() -> Self
+    where
+        O: ProcessImage<Direction = Rx>,
+        I: ProcessImage<Direction = Tx, Device = O::Device>,
+        O::Device: BringUp + Carries<Rx> + Carries<Tx>,
+    {
+        const {
+            let is_taken = CycleLimit::any_takes(<O::Device as BringUp>::CYCLES, NS);
+            assert!(is_taken, "the device does not take this cycle time");
+        }
+        let mut choice = Self::of::<O, I>();
+        choice.cycle = Some(const { period(NS) });
+        choice
+    }
+
     /// With a mode of operation for each axis that has one.
     pub const fn mode(mut self, mode: i8) -> Self {
         self.mode = Some(mode);
-        self
-    }
-
-    /// With a cycle time in nanoseconds, for each axis that has one. 0x60C2 counts up to 255 of a power of ten of a
-    /// second: a time that it cannot hold does not compile.
-    pub const fn cycle_ns<const NS: u64>(mut self) -> Self {
-        self.cycle = Some(const { period(NS) });
         self
     }
 

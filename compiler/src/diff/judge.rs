@@ -79,6 +79,7 @@ fn device(path: &[&str]) -> Option<&'static Kind> {
         [
             "vendor"
             | "title"
+            | "image"
             | "about"
             | "models"
             | "group"
@@ -86,6 +87,7 @@ fn device(path: &[&str]) -> Option<&'static Kind> {
             | "axes"
             | "arrangement"
             | "areas"
+            | "enumerations"
             | "communication_states"
             | "communication_transitions"
             | "mode_changes"

@@ -3,6 +3,7 @@
 //! Questions are asked of trees, as files of TOML are parsed into, so that a description can be asked as well.
 
 mod bits;
+mod clause;
 mod entity;
 mod find;
 mod layout;

@@ -13,6 +13,7 @@ mod configuration;
 mod control;
 mod data_type;
 mod difference;
+mod enumeration;
 mod error;
 mod fact;
 mod field;
@@ -22,6 +23,7 @@ pub(crate) mod ids;
 mod index;
 mod kept;
 mod keyed;
+mod lasting;
 mod literal;
 mod lookup;
 mod machine;
@@ -32,6 +34,7 @@ mod on_axis;
 mod parameter;
 mod pattern;
 mod pdo;
+mod picture;
 mod place;
 mod provenance;
 mod register;
@@ -46,6 +49,7 @@ mod symbol;
 pub(crate) mod table;
 mod timing;
 mod transport;
+mod type_name;
 mod unit;
 mod value;
 mod word;
@@ -57,14 +61,16 @@ pub use citation::Source;
 pub use compare::{Compare, differences};
 pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
-pub use data_type::DataType;
+pub use data_type::{DataType, Item};
 pub use difference::{Difference, FieldPath};
+pub use enumeration::Enumeration;
 pub use error::{ErrorCode, VendorCode};
 pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Tables, Written};
 pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
+pub use lasting::{Effective, Stored};
 pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
 pub use machine::Given;
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
@@ -74,6 +80,7 @@ pub(crate) use parameter::coordinate;
 pub use parameter::{AxisGroup, Coordinates, Group, Parameter};
 pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Pdo};
+pub use picture::Picture;
 pub use place::Place;
 pub use provenance::{Provenance, facts, provenance};
 pub use register::{AlStatusCode, Register, RegisterAccess, Telegram};
@@ -158,6 +165,8 @@ model! {
         pub profile: Option<u32>,
         /// One letter for each port as an ESI has it.
         pub physics: String,
+        /// The picture that tools show beside its name.
+        pub image: Option<Picture>,
         /// What 0x1018 and the EEPROM say.
         pub identity: Identity,
         /// The EEPROM.
@@ -172,6 +181,8 @@ model! {
         pub repetitions: Vec<Repetition>,
         /// Titles of ranges of the dictionary, by index.
         pub areas: Vec<Area>,
+        /// What values mean that several entries share.
+        pub enumerations: Vec<Enumeration>,
         /// The object dictionary, by index.
         pub objects: Vec<Object>,
         /// The process data objects, by index: what the master sends, then what the device sends.

@@ -15,6 +15,7 @@ macro_rules! for_each_section {
             Axes axes "axes" Single RawAxes,
             Areas areas "areas" Indices Area,
             Objects objects "objects" Indices RawObject,
+            Enumerations enumerations "enumerations" Words Enumeration,
             Coordinates coordinates "coordinates" Single RawCoordinates,
             Parameters parameters "parameters" Words Parameter,
             Units units "units" Words RawUnit,

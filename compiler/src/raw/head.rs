@@ -25,5 +25,10 @@ raw! {
         /// One letter for each of up to four ports as ESI wants it: `Y` for MII (RJ45), `K` for LVDS (E-Bus), `H` for MII
         /// with fast hot connect, a space for none.
         pub physics: Option<String>,
+        /// A picture of 16 by 14 points that tools show beside its name, a BMP file in the folder of the description; the ESI holds it.
+        pub image: Option<String>,
+        /// What is in that file.
+        #[serde(skip)]
+        pub image_bytes: Option<Vec<u8>>,
     }
 }

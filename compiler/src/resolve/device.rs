@@ -10,7 +10,8 @@ use super::{
 };
 use crate::diagnostic::Diagnostics;
 use crate::model::{
-    Arrangement, Device, Direction, Eeprom, Object, Parameter, Pdo, Repeated, Repetition, Tables, repetitions,
+    Arrangement, Device, Direction, Eeprom, Hex, Object, Parameter, Pdo, Picture, Repeated, Repetition,
+    Tables, repetitions,
 };
 use crate::raw::{RawAxes, RawDevice};
 
@@ -43,6 +44,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         group: head.group.unwrap_or_else(|| format!("{} drives", head.vendor)),
         type_name: head.type_name.unwrap_or_else(|| head.name.replace(' ', "-")),
         physics: head.physics.unwrap_or_else(|| "YY".to_owned()),
+        image: head.image.zip(head.image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),
         name: head.name, vendor: head.vendor, title: head.title, about: head.about,
         models: head.models, profile: head.profile, source: head.source, origin: head.origin,
         identity, eeprom: raw.eeprom.unwrap_or_else(eeprom), limits: raw.limits,
@@ -62,7 +64,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         errors: kept::errors(raw.errors), vendor_codes: sorted(raw.vendor_codes, |code| code.code),
         units: units::units(context, raw.units), coordinates: context.names.coordinates(),
         areas: sorted(raw.areas, |area| (area.first, area.last)), repetitions,
-        objects,
+        enumerations: std::mem::take(&mut context.enumerations), objects,
         registers: sorted(raw.registers, |register| register.address), telegrams: raw.telegrams,
         master_settings: raw.master_settings,
         parameters: parameters(context, raw.parameters),
@@ -82,6 +84,7 @@ fn context<'d>(raw: &mut RawDevice, diagnostics: &'d mut Diagnostics) -> Context
         axes: axes::axes(raw.axes.as_ref()),
         shifts: Vec::new(),
         pdo_shift: raw.axes.as_ref().and_then(|axes| axes.pdo_shift).unwrap_or(0x10),
+        enumerations: std::mem::take(&mut raw.enumerations),
     };
     let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(&mut context, raw));
     context.names = Names::gather(raw, coordinates);

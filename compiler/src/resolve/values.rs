@@ -103,7 +103,9 @@ fn holds(data_type: DataType) -> String {
         (None, DataType::Real32) => format!("{data_type} holds numbers up to {:e}", f32::MAX),
         (None, DataType::Text(bytes)) => format!("{data_type} holds text of up to {bytes} bytes"),
         (None, DataType::Unicode(units)) => format!("{data_type} holds text of up to {units} units"),
-        (None, DataType::Octets(_)) => format!("{data_type} holds bytes, of which no value can be told"),
+        (None, DataType::Octets(_) | DataType::Array(..)) => {
+            format!("{data_type} holds bytes, of which no value can be told")
+        }
         (None, _) => format!("{data_type} holds numbers"),
     }
 }

@@ -21,6 +21,7 @@ mod settings;
 mod tests;
 mod tree;
 
+pub(crate) use include::outside;
 #[cfg(feature = "cli")]
 pub(crate) use load::read_profile;
 pub use load::{Document, MAIN_FILE, Profile, load};

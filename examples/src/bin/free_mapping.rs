@@ -34,7 +34,7 @@ struct Inputs {
 }
 
 /// As in the example of its manual: mode 1, 2 ms.
-const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().mode(1).cycle_ns::<2_000_000>();
+const CHOICE: StartUp = StartUp::cyclic::<Outputs, Inputs, 2_000_000>().mode(1);
 const START_UP: [Write; CHOICE.len()] = CHOICE.writes();
 const READ_BACK: [Write; CHOICE.verify_len()] = CHOICE.verify();
 

@@ -14,3 +14,4 @@ mod process_data;
 mod start_up;
 mod subjects;
 mod sync_managers;
+mod units;

@@ -58,7 +58,7 @@ pub(crate) struct WithGaps {
 }
 
 /// 3.6.1: interpolated position mode, 2 ms.
-const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().mode(1).cycle_ns::<2_000_000>();
+const CHOICE: StartUp = StartUp::cyclic::<Outputs, Inputs, 2_000_000>().mode(1);
 const LIST: [Write; CHOICE.len()] = CHOICE.writes();
 const VERIFY: [Write; CHOICE.verify_len()] = CHOICE.verify();
 
@@ -87,7 +87,7 @@ fn the_list_is_the_example_of_the_manual_byte_for_byte() {
 /// C887T0011, p. 26: the images as delivered, with the interpolation time of a millisecond that stands in 0x60C2.
 #[test]
 fn the_list_of_default_images_is_the_one_of_the_description() {
-    const CHOICE: StartUp = StartUp::of::<c887::Outputs, c887::Inputs>().cycle_ns::<1_000_000>();
+    const CHOICE: StartUp = StartUp::cyclic::<c887::Outputs, c887::Inputs, 1_000_000>();
     const LIST: [Write; CHOICE.len()] = CHOICE.writes();
     assert_eq!(bytes(&LIST), bytes(&c887::configurations::CSP));
 }
@@ -105,7 +105,7 @@ fn what_is_read_back_is_what_was_written_last() {
 /// What 0x60C2 gets: the count and the power of ten.
 macro_rules! period {
     ($ns:literal) => {{
-        const CHOICE: StartUp = StartUp::of::<Outputs, Inputs>().cycle_ns::<$ns>();
+        const CHOICE: StartUp = StartUp::cyclic::<Outputs, Inputs, $ns>();
         let list: [Write; CHOICE.len()] = CHOICE.writes();
         let [.., count, exponent] = list.as_slice() else { panic!("there are two writes") };
         (count.data()[0], exponent.data()[0] as i8)
@@ -116,7 +116,7 @@ macro_rules! period {
 fn a_cycle_time_is_counted_in_the_largest_unit_that_fits() {
     assert_eq!(period!(1_000_000), (1, -3));
     assert_eq!(period!(250_000), (25, -5));
-    assert_eq!(period!(125_000), (125, -6));
+    assert_eq!(period!(255_000), (255, -6));
     assert_eq!(period!(200_000_000), (200, -3));
 }
 
@@ -174,4 +174,15 @@ fn gaps_are_sent_as_zeros_and_not_read() {
     view.set_controlword(gaps.controlword);
     view.set_position(gaps.position);
     assert_eq!(frame, filled);
+}
+
+/// What each member takes: a position every millisecond, or every 250 µs (S700, 3.10; C887T0011, p. 4).
+#[test]
+fn a_device_takes_its_cycle_times_only() {
+    use devc_runtime::start_up::{BringUp, CycleLimit};
+    let takes = |limits: &[CycleLimit], ns| CycleLimit::any_takes(limits, ns);
+    let s700 = <<Outputs as devc_runtime::pdo::ProcessData>::Device as BringUp>::CYCLES;
+    let c887 = <<c887::Outputs as devc_runtime::pdo::ProcessData>::Device as BringUp>::CYCLES;
+    assert!(takes(s700, 250_000) && !takes(s700, 200_000));
+    assert!(takes(c887, 1_000_000) && !takes(c887, 250_000));
 }

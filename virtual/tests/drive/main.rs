@@ -5,6 +5,7 @@ mod bench;
 mod communication;
 mod faults;
 mod homing;
+mod mapping;
 mod modes;
 #[path = "../shared/mod.rs"]
 mod shared;

@@ -1,7 +1,7 @@
 //! `Device`: its parts in the order that the schema demands.
 
 use super::element::Element;
-use super::literal::{Hex, prose};
+use super::literal::{Bytes, Hex, prose};
 use super::{dc, eeprom, mailbox, pdo, profile, sync_managers, timeouts};
 use crate::model::{Device, Direction};
 
@@ -23,6 +23,7 @@ pub(super) fn device(device: &Device) -> Element {
         .child(mailbox::mailbox(device))
         .child(dc::dc(device))
         .child(eeprom::eeprom(&device.eeprom))
+        .child(device.image.as_ref().map(|image| Element::leaf("ImageData16x14", Bytes(&image.bytes.0))))
 }
 
 fn type_and_identity(device: &Device) -> Element {

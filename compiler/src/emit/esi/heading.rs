@@ -11,7 +11,7 @@ use crate::model::{Assumption, Device, Family, Section};
 /// What of a description is in the file: sections, and the keys of them if not all are. Objects and PDOs are there whole,
 /// but for what only a reference says.
 const IN_FILE: &[(Section, &[&str])] = &[
-    (Section::Device, &["name", "vendor", "group", "type-name", "profile", "physics", "title"]),
+    (Section::Device, &["name", "vendor", "group", "type-name", "profile", "physics", "title", "image"]),
     (Section::Identity, &["vendor-id", "product-code", "revision", "serial", "replaces"]),
     (Section::Eeprom, &["size", "config-data"]),
     (Section::Axes, &["names", "add-info"]),

@@ -23,6 +23,7 @@ mod profile;
 mod sync_managers;
 mod timeouts;
 mod types;
+mod unit;
 mod vendor;
 
 use self::element::Element;

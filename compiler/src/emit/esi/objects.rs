@@ -4,7 +4,7 @@ use super::composite::{Member, Shape};
 use super::element::Element;
 use super::literal::{Bytes, Hex};
 use super::types::Types;
-use super::{comment, flags};
+use super::{comment, flags, unit};
 use crate::model::{Device, Object, Value};
 
 /// An object.
@@ -15,12 +15,13 @@ pub(super) fn object(device: &Device, object: &Object, shape: &Shape<'_>, types:
         .child(comment::of_object(object, shape))
         .child(Element::leaf("Type", types.name_of(object, shape)))
         .child(Element::leaf("BitSize", shape.bits()))
-        .child(info(shape))
+        .child(info(device, object, shape))
         .child(flags::of_object(object))
 }
 
 /// The values of an object: its own, or those of every member in order.
-fn info(shape: &Shape<'_>) -> Option<Element> {
+fn info(device: &Device, object: &Object, shape: &Shape<'_>) -> Option<Element> {
+    let values = |member: &Member<'_>| values(member).child(unit::of(device, member.entry, object.axis));
     match shape {
         Shape::Var(only) => values(only).unless_empty(),
         Shape::Array(members) | Shape::Record(members) => {

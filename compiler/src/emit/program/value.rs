@@ -32,7 +32,9 @@ pub(super) fn of(device: &Device, mapped: &Mapped) -> (Kind, u32) {
         Some(data_type @ (DataType::Real32 | DataType::Real64)) if data_type.bits() == bits => {
             (Kind::Real, bits)
         }
-        Some(DataType::Text(_) | DataType::Octets(_) | DataType::Unicode(_)) => (Kind::Bytes, bits),
+        Some(DataType::Text(_) | DataType::Octets(_) | DataType::Unicode(_) | DataType::Array(..)) => {
+            (Kind::Bytes, bits)
+        }
         _ if bits == 1 => (Kind::Bool, 1),
         _ if bits <= 64 => (Kind::Uint, bits),
         _ => (Kind::Bytes, bits),

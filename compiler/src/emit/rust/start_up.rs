@@ -12,17 +12,25 @@ use super::scope::Scope;
 use crate::model::{Configuration, Index, SdoWrite};
 
 pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let marker = &scope.marker;
+    let (marker, runtime) = (&scope.marker, scope.runtime);
     let maps = scope.device.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_config);
     let objects = scope.device.axes.iter().map(|axis| {
         let (mode, cycle) = (on_axis(scope, 0x6060, axis.number), on_axis(scope, 0x60C2, axis.number));
         quote!(AxisObjects { mode: #mode, cycle: #cycle })
     });
+    let cycles = scope.device.cycle_times.iter().map(|limit| {
+        let least = number(limit.min.map_or(0, |min| min.0));
+        let choices = limit.choices.iter().map(|choice| number(choice.0));
+        quote!(#runtime::start_up::CycleLimit { least_ns: #least, choices_ns: &[#(#choices),*] })
+    });
+    let cycles = (!scope.device.cycle_times.is_empty())
+        .then(|| quote!(const CYCLES: &'static [#runtime::start_up::CycleLimit] = &[#(#cycles),*];));
     let configurations = (!scope.device.configurations.is_empty()).then(|| configurations(scope));
     quote! {
         impl BringUp for #marker {
             const MAPS: bool = #maps;
             const AXES: &'static [AxisObjects] = &[#(#objects),*];
+            #cycles
         }
 
         #configurations

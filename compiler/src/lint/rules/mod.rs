@@ -32,18 +32,22 @@ mod deviating_access;
 mod deviating_kind;
 mod deviating_mapping;
 mod deviating_pattern;
+mod deviating_transition;
 mod deviating_type;
 mod differing_axis;
+mod empty_limits;
 mod empty_name;
 mod empty_reason;
 mod excluded_assignment;
 mod foreign_state;
 mod hidden_command;
+mod idle_enumeration;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
 mod impossible_eeprom_size;
 mod incomplete_timeouts;
+mod indistinct_bit;
 mod indistinct_members;
 mod inverted_limits;
 mod manufacturer_bit;
@@ -58,9 +62,11 @@ mod missing_group;
 mod missing_mandatory_pdo;
 mod missing_object;
 mod missing_sync_manager;
+mod missing_transition;
 mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
+mod opposed_switch;
 mod overfull_assignment;
 mod overlapping_bits;
 mod overlapping_groups;
@@ -92,6 +98,7 @@ mod undersized_eeprom;
 mod undersized_sync_manager;
 mod understated_axes;
 mod unexpected_mode_bit;
+mod unfit_image;
 mod unknown_homing_method;
 pub(super) mod unknown_rule;
 mod unlistable_mode;
@@ -158,18 +165,22 @@ lints! {
     deviating_kind,
     deviating_mapping,
     deviating_pattern,
+    deviating_transition,
     deviating_type,
     differing_axis,
+    empty_limits,
     empty_name,
     empty_reason,
     excluded_assignment,
     foreign_state,
     hidden_command,
+    idle_enumeration,
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
     impossible_eeprom_size,
     incomplete_timeouts,
+    indistinct_bit,
     indistinct_members,
     inverted_limits,
     manufacturer_bit,
@@ -184,9 +195,11 @@ lints! {
     missing_mandatory_pdo,
     missing_object,
     missing_sync_manager,
+    missing_transition,
     mixed_vendors,
     odd_count_type,
     one_sided_exclusion,
+    opposed_switch,
     overfull_assignment,
     overlapping_bits,
     overlapping_groups,
@@ -218,6 +231,7 @@ lints! {
     undersized_sync_manager,
     understated_axes,
     unexpected_mode_bit,
+    unfit_image,
     unknown_homing_method,
     unknown_rule,
     unlistable_mode,

@@ -5,7 +5,7 @@ use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
+use crate::model::{Effective, Entry, Mode, Object, Pdo, Source, Stored, Trigger};
 use crate::source::Origin;
 
 /// What there is to say of an object.
@@ -91,6 +91,8 @@ struct Facts<'a> {
     parameter: Option<&'a str>,
     backup: bool,
     setting: bool,
+    effective: Option<Effective>,
+    stored: Option<Stored>,
 }
 
 impl<'a> Facts<'a> {
@@ -121,6 +123,8 @@ impl<'a> Facts<'a> {
             parameter: parameter.as_deref(),
             backup: false,
             setting: false,
+            effective: None,
+            stored: None,
         }
     }
 
@@ -133,6 +137,8 @@ impl<'a> Facts<'a> {
             parameter,
             backup,
             setting,
+            effective,
+            stored,
             address: _,
             id: _,
             name: _,
@@ -158,6 +164,8 @@ impl<'a> Facts<'a> {
             parameter: parameter.as_deref(),
             backup: *backup,
             setting: *setting,
+            effective: *effective,
+            stored: *stored,
         }
     }
 
@@ -171,7 +179,10 @@ impl<'a> Facts<'a> {
             self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        [functional, about, note, parameter, backup, setting].into_iter().flatten().collect()
+        let effective = self.effective.map(|when| sentence(when.sentence()));
+        let stored = self.stored.map(|how| sentence(how.sentence()));
+        let all = [functional, about, note, parameter, backup, setting, effective, stored];
+        all.into_iter().flatten().collect()
     }
 }
 
