@@ -58,6 +58,8 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["commands", rest @ ..] => machine::command(rest, difference),
         ["transitions", rest @ ..] => machine::transition(versions, rest, difference),
         ["device_control", ..] => &kinds::CHANGED_BEHAVIOUR,
+        ["modules", _, "name" | "source"] => &kinds::CHANGED_TEXT,
+        ["modules", ..] => &kinds::CHANGED_SLOTS,
         ["modes", rest @ ..] => modes::mode(versions, rest, difference)?,
         ["homing_methods", rest @ ..] => modes::homing_method(versions, rest, difference)?,
         ["errors" | "vendor_codes" | "al_status_codes", rest @ ..] => words::error(rest, difference)?,

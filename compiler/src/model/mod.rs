@@ -29,6 +29,7 @@ mod lookup;
 mod machine;
 mod meaning;
 mod mode;
+mod module;
 mod object;
 mod on_axis;
 mod parameter;
@@ -75,6 +76,7 @@ pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
 pub use machine::Given;
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
 pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
+pub use module::{Module, Slots};
 pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger, WriteWindow};
 pub(crate) use parameter::coordinate;
 pub use parameter::{AxisGroup, Coordinates, Group, Parameter};
@@ -177,6 +179,8 @@ model! {
         pub axes: Vec<Axis>,
         /// How the axes share the dictionary and depend on each other.
         pub arrangement: Arrangement,
+        /// What is in the slots of axes, by number; none if the ESI has all axes in one dictionary.
+        pub modules: Vec<Module>,
         /// What each axis has: objects and PDOs, by the index on the first axis.
         pub repetitions: Vec<Repetition>,
         /// Titles of ranges of the dictionary, by index.

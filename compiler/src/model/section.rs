@@ -13,6 +13,7 @@ macro_rules! for_each_section {
             Eeprom eeprom "eeprom" Single Eeprom,
             Documents documents "documents" Words Document,
             Axes axes "axes" Single RawAxes,
+            Modules modules "modules" Indices Module,
             Areas areas "areas" Indices Area,
             Objects objects "objects" Indices RawObject,
             Enumerations enumerations "enumerations" Words Enumeration,
@@ -65,7 +66,7 @@ pub enum Shape {
     Words,
     /// By a number.
     Numbers,
-    /// By a number of 16 bits that people write in hexadecimal.
+    /// By a number that people write in hexadecimal.
     Indices,
     /// By their place in a list.
     List,

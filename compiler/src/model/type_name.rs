@@ -58,6 +58,8 @@ impl DataType {
         let whole = |bits: &u8| (8..=64).contains(bits) && bits.is_multiple_of(8);
         let plain = match text.as_str() {
             "BOOLEAN" | "BIT" => Some(Self::Bool),
+            "F32" | "FLOAT" | "FLOAT32" => Some(Self::Real32),
+            "F64" | "DOUBLE" | "FLOAT64" => Some(Self::Real64),
             "SINT" => Some(Self::Int(8)),
             "INT" => Some(Self::Int(16)),
             "DINT" => Some(Self::Int(32)),
@@ -76,6 +78,9 @@ impl DataType {
         plain
             .or_else(|| bits("INTEGER").filter(whole).map(Self::Int))
             .or_else(|| bits("UNSIGNED").filter(whole).map(Self::Uint))
+            .or_else(|| bits("I").filter(whole).map(Self::Int))
+            .or_else(|| bits("U").filter(whole).map(Self::Uint))
+            .or_else(|| text.strip_suffix("_T")?.parse().ok())
             .or_else(|| sized(text.strip_prefix("VISIBLE_")?))
             .or_else(|| array(&text))
             .or_else(|| text.parse().ok())
@@ -118,6 +123,11 @@ mod tests {
             ("ARRAY [0..3] OF DINT", "ARRAY_OF_INT32(4)"),
             ("ARRAY [0..7] OF INT", "ARRAY_OF_INT16(8)"),
             ("int16", "INT16"),
+            ("u16", "UINT16"),
+            ("i32", "INT32"),
+            ("f32", "REAL32"),
+            ("uint8_t", "UINT8"),
+            ("double", "REAL64"),
         ];
         for (elsewhere, here) in pairs {
             let found = DataType::named_elsewhere(elsewhere).map(|it| it.to_string());

@@ -1,5 +1,7 @@
 //! A description, decoded: what its sections hold.
 
+use std::collections::BTreeMap;
+
 use super::read::Sections;
 use super::{
     LintSetting, RawAxes, RawConfiguration, RawCoordinates, RawHead, RawMode, RawObject, RawPdo,
@@ -41,17 +43,19 @@ macro_rules! device {
             pub lints: Vec<LintSetting>,
             /// What no source states.
             pub assumptions: Vec<Assumption>,
+            /// The objects of the profiles by id, whether or not they are mentioned.
+            pub offered: BTreeMap<String, Index>,
             /// Every table of a section.
             pub written: Vec<Written>,
         }
 
         impl Sections<'_> {
             /// Reads all sections.
-            pub(super) fn device(mut self, id: String) -> RawDevice {
+            pub(super) fn device(mut self, id: String, offered: BTreeMap<String, Index>) -> RawDevice {
                 $(let $field: held!($shape $table) = read!($shape self $name);)*
                 let lints = self.lints();
                 let (assumptions, written) = self.finish();
-                RawDevice { id, $($field,)* lints, assumptions, written }
+                RawDevice { id, $($field,)* lints, assumptions, offered, written }
             }
         }
     };

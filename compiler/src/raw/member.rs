@@ -1,5 +1,6 @@
 //! The members of a family: what they share, and what each has of its own.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::compose::{self, wrong_type};
@@ -7,7 +8,8 @@ use super::extent::Room;
 use super::read::Sections;
 use super::{RawDevice, errata, like, misplaced};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
-use crate::source::{Document, Key, Node, Sources, Table};
+use crate::model::Index;
+use crate::source::{Document, Key, Node, Sources, Table, Value, keys};
 
 /// A device as it is written, and as it holds.
 #[derive(Debug)]
@@ -29,6 +31,7 @@ pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut 
     }
     let trees = members(document, id, diagnostics);
     let (mut nowhere, mut room) = (Vec::new(), Room::new());
+    let offered = offered(&document.profile);
     let devices: Vec<Reading> = trees
         .into_iter()
         .map_while(|(id, tree, removed)| {
@@ -37,12 +40,13 @@ pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut 
             if !room.take_device(&tree, diagnostics) {
                 return None;
             }
-            let printed = Sections::new(&tree, sources, diagnostics).device(id.clone());
+            let printed = Sections::new(&tree, sources, diagnostics).device(id.clone(), offered.clone());
             let held = match diagnostics.has_errors() {
                 true => None,
                 false => errata::corrected(&tree, &printed, &mut nowhere, diagnostics),
             };
-            let corrected = held.map(|tree| Sections::new(&tree, sources, diagnostics).device(id));
+            let corrected =
+                held.map(|tree| Sections::new(&tree, sources, diagnostics).device(id, offered.clone()));
             Some(Reading { printed, corrected })
         })
         .collect();
@@ -54,6 +58,19 @@ pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut 
     };
     diagnostics.extend(nowhere.iter().filter(everywhere).cloned());
     devices
+}
+
+/// The objects that a profile has, by id.
+fn offered(profile: &Table) -> BTreeMap<String, Index> {
+    let objects = profile.get("objects").and_then(|objects| objects.node.table());
+    let objects = objects.iter().flat_map(|objects| &objects.members);
+    let named = objects.filter_map(|object| {
+        let id = object.node.table()?.get("id")?;
+        let Value::String(id) = &id.node.value else { return None };
+        let index = keys::number(&object.key.name).and_then(|index| u16::try_from(index).ok())?;
+        Some((id.to_string(), Index(index)))
+    });
+    named.collect()
 }
 
 /// The tree of each member with the lists of what is taken out of it: the shared one and its own.

@@ -149,13 +149,16 @@ impl<'t> Sections<'t> {
 
     /// Reports a key that cannot be read, and says what could.
     pub(super) fn invalid(&mut self, key: &str, expected: &str, at: Location) {
-        let message = format!("`{key}` means nothing here");
-        self.diagnostics.push(Diagnostic::new(
-            &faults::INVALID_VALUE,
-            message,
-            at,
-            format!("expected {expected}"),
-        ));
+        self.diagnostics.push(meaningless(key, expected, at));
+    }
+
+    /// Reports a key that is no index, with the one that is meant by a number without `0x`.
+    pub(super) fn no_index(&mut self, key: &str, at: Location) {
+        let fault = meaningless(key, "an index such as 0x6040", at);
+        self.diagnostics.push(match Index::meant(key) {
+            Some(index) => fault.suggest(format!("is {index} meant?"), at, index.to_string()),
+            None => fault,
+        });
     }
 
     pub(super) fn table(&mut self, node: &Node) -> Option<Arc<crate::source::Table>> {
@@ -190,4 +193,9 @@ impl<'t> Sections<'t> {
         }
         (self.assumptions, self.written)
     }
+}
+
+fn meaningless(key: &str, expected: &str, at: Location) -> Diagnostic {
+    let message = format!("`{key}` means nothing here");
+    Diagnostic::new(&faults::INVALID_VALUE, message, at, format!("expected {expected}"))
 }

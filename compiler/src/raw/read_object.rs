@@ -32,7 +32,7 @@ impl Read for RawObject {
     fn read(entity: Entity<'_>, sections: &mut Sections<'_>) -> Option<Self> {
         let Entity { section, key, header, table } = entity;
         let Some(index) = sections.index(key) else {
-            sections.invalid(key, "an index such as 0x6040", header);
+            sections.no_index(key, header);
             return None;
         };
         let mut reader = Reader::new(&table, sections.diagnostics);

@@ -12,7 +12,12 @@ const MOST_NAMED: usize = 6;
 
 /// Says that there is a name which is like the one that is not there. Only a slip is mended without asking.
 fn there_is(fault: Diagnostic, name: &str, is_plain: bool, at: Location) -> Diagnostic {
-    let (text, edit) = (format!("there is `{name}`"), format!("\"{name}\""));
+    instead(fault, name, is_plain, at, format!("\"{name}\""))
+}
+
+/// The same for a name that is written as `edit`.
+fn instead(fault: Diagnostic, name: &str, is_plain: bool, at: Location, edit: String) -> Diagnostic {
+    let text = format!("there is `{name}`");
     if is_plain { fault.fix(text, at, edit) } else { fault.suggest(text, at, edit) }
 }
 
@@ -56,13 +61,14 @@ impl Context<'_> {
         let near = has_room.then(|| self.names.near(object)).flatten();
         let message = format!("there is no object `{text}`");
         let fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, "not in `[objects]`");
-        self.diagnostics.push(match (unknown, near, names::index(object)) {
+        let index = names::index(object).or_else(|| self.names.offered(object));
+        self.diagnostics.push(match (unknown, near, index) {
             (Unknown::Several(entries), ..) => {
                 let entries: Vec<String> = entries.iter().map(Address::to_string).collect();
                 fault.note(format!("it is an entry of several objects: {}", entries.join(", ")))
             }
-            (Unknown::Nothing, Some((name, is_plain)), _) => there_is(fault, &name, is_plain, at),
-            (Unknown::Nothing, None, Some(index)) => fault
+            (Unknown::Nothing, Some((name, is_plain)), None) => there_is(fault, &name, is_plain, at),
+            (Unknown::Nothing, _, Some(index)) => fault
                 .note("an object of a profile is there once it is mentioned")
                 .help(format!("add `[objects.{index}]` with what the profile does not say")),
             (Unknown::Nothing, None, None) => fault,
@@ -109,6 +115,22 @@ impl Context<'_> {
 
     /// Whether a reference names one of several things; reports it if it does not.
     pub(super) fn bind(&mut self, text: &str, known: &[String], what: &str, at: Location) -> bool {
+        self.bind_as(text, known, what, at, |name| format!("\"{name}\""))
+    }
+
+    /// Whether a key names one of several things; reports it if it does not.
+    pub(super) fn bind_key(&mut self, text: &str, known: &[String], what: &str, at: Location) -> bool {
+        self.bind_as(text, known, what, at, str::to_owned)
+    }
+
+    fn bind_as(
+        &mut self,
+        text: &str,
+        known: &[String],
+        what: &str,
+        at: Location,
+        written: impl Fn(&str) -> String,
+    ) -> bool {
         if known.iter().any(|name| name == text) {
             return true;
         }
@@ -116,7 +138,7 @@ impl Context<'_> {
         let mut fault = Diagnostic::new(&faults::UNKNOWN_REFERENCE, message, at, format!("not a {what}"));
         let has_room = self.diagnostics.has_room(&faults::UNKNOWN_REFERENCE);
         fault = match has_room.then(|| meant(text, known.iter().map(String::as_str))).flatten() {
-            Some((near, is_plain)) => there_is(fault, near, is_plain, at),
+            Some((near, is_plain)) => instead(fault, near, is_plain, at, written(near)),
             None if known.is_empty() => fault.note(format!("the description has no {what}")),
             None => {
                 let known: Vec<&str> = known.iter().map(String::as_str).collect();

@@ -11,7 +11,7 @@ use super::{
 use crate::diagnostic::Diagnostics;
 use crate::model::{
     Arrangement, Device, Direction, Eeprom, Hex, Object, Parameter, Pdo, Picture, Repeated, Repetition,
-    Tables, repetitions,
+    Slots, Tables, repetitions,
 };
 use crate::raw::{RawAxes, RawDevice};
 
@@ -22,7 +22,10 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     closed::judge(context, &raw);
     let (head, identity) = (raw.head?, raw.identity?);
     let mut described = objects::objects(context, raw.objects);
-    restated::fill(&mut described.objects, &head, &identity, raw.axes.as_ref());
+    let modules = sorted(raw.modules, |module| module.ident);
+    let slots =
+        Slots { axes: &context.axes, shifts: &context.shifts, modules: &modules, profile: head.profile };
+    restated::fill(&mut described.objects, &head, &identity, raw.axes.as_ref(), &slots);
     let mut pdos = pdos::pdos(context, &raw.rx_pdos, Direction::Rx, &described.objects);
     pdos.extend(pdos::pdos(context, &raw.tx_pdos, Direction::Tx, &described.objects));
     mappability::settle(&mut described.objects, &pdos);
@@ -48,7 +51,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         name: head.name, vendor: head.vendor, title: head.title, about: head.about,
         models: head.models, profile: head.profile, source: head.source, origin: head.origin,
         identity, eeprom: raw.eeprom.unwrap_or_else(eeprom), limits: raw.limits,
-        axes: context.axes.clone(), arrangement: arrangement(context, raw.axes),
+        axes: context.axes.clone(), arrangement: arrangement(context, raw.axes), modules,
         connectors: raw.connectors, leds: raw.leds,
         communication_states: sorted(raw.communication_states, |state| state.code),
         communication_transitions: raw.communication_transitions,

@@ -50,6 +50,10 @@ pub(super) fn references(context: &mut Context<'_>, device: &Device) {
         let selectable = &control.modes_selectable_in;
         bind_all(context, selectable, &states, "state", &control.origin, "modes-selectable-in");
     }
+    let axes: Vec<String> = device.axes.iter().map(|axis| axis.name.clone()).collect();
+    for module in &device.modules {
+        bind_all(context, &module.axes, &axes, "axis", &module.origin, "axes");
+    }
     for change in &device.mode_changes {
         modes(context, &change.from, device, &change.origin, "from");
         modes(context, &change.to, device, &change.origin, "to");

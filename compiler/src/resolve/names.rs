@@ -17,13 +17,15 @@ pub(super) struct Names {
     by_entry: BTreeMap<String, Vec<Address>>,
     by_parameter: BTreeMap<String, Address>,
     known: Vec<Index>,
+    /// What a profile has besides, by id.
+    offered: BTreeMap<String, Index>,
     coordinates: Option<Coordinates>,
 }
 
 impl Names {
     /// Gathers the ids of all described objects and the indices of what follows from the PDOs.
     pub(super) fn gather(raw: &RawDevice, coordinates: Option<Coordinates>) -> Self {
-        let mut names = Self { coordinates, ..Self::default() };
+        let mut names = Self { coordinates, offered: raw.offered.clone(), ..Self::default() };
         for object in &raw.objects {
             let index = object.index;
             names.by_id.entry(object_id(object)).or_insert(index);
@@ -84,6 +86,11 @@ impl Names {
             Some(index) => Some(index).filter(|index| self.known.binary_search(index).is_ok()),
             None => self.by_id.get(text).copied(),
         }
+    }
+
+    /// The index of an object that a profile knows by this id, and the description does not mention.
+    pub(super) fn offered(&self, id: &str) -> Option<Index> {
+        self.offered.get(id).copied()
     }
 
     /// The name of an object or an entry that is most like one that refers to nothing, and whether it is plain that it was

@@ -1,7 +1,8 @@
-//! What the standard makes objects repeat of other sections (ETG.1000.6, CiA 301): the device type 0x1000, the name
-//! 0x1008, the identity 0x1018. A default that the description gives stays; rules compare it.
+//! What the standard makes objects repeat of other sections (ETG.1000.6, ETG.5001, CiA 301): the device type 0x1000, the
+//! name 0x1008, the identity 0x1018, the slots of a modular device from 0xF000. A default that the description gives
+//! stays; rules compare it.
 
-use crate::model::{DataType, Entry, Identity, Object, Value};
+use crate::model::{DataType, Entry, Identity, Object, Slots, Value};
 use crate::raw::{RawAxes, RawHead};
 use crate::source;
 
@@ -9,13 +10,19 @@ use crate::source;
 const SEVERAL: u32 = 0xFFFF;
 
 /// Gives these objects the defaults that other sections state.
-pub(super) fn fill(objects: &mut [Object], head: &RawHead, identity: &Identity, axes: Option<&RawAxes>) {
+pub(super) fn fill(
+    objects: &mut [Object],
+    head: &RawHead,
+    identity: &Identity,
+    axes: Option<&RawAxes>,
+    slots: &Slots<'_>,
+) {
     for object in objects {
         match object.index.0 {
             0x1000 => object.entries.iter_mut().for_each(|entry| device_type(entry, head, axes)),
             0x1008 => object.entries.iter_mut().for_each(|entry| name(entry, &head.name)),
             0x1018 => object.entries.iter_mut().for_each(|entry| number(entry, identity)),
-            _ => {}
+            _ => object.entries.iter_mut().for_each(|entry| slot(entry, slots)),
         }
     }
 }
@@ -53,6 +60,12 @@ fn number(entry: &mut Entry, identity: &Identity) {
     };
     if entry.data_type == DataType::Uint(32) {
         state(entry, Value::Integer(stated.into()));
+    }
+}
+
+fn slot(entry: &mut Entry, slots: &Slots<'_>) {
+    if let Some(value) = slots.value(entry.address) {
+        state(entry, Value::Integer(value.into()));
     }
 }
 

@@ -39,7 +39,7 @@ fn role(context: &mut Context<'_>, entity: &RawSyncManager) -> Option<Role> {
             find(text)
         }
         None => {
-            context.bind(&entity.key, &roles, "sync manager", entity.origin.header());
+            context.bind_key(&entity.key, &roles, "sync manager", entity.origin.header());
             find(&entity.key)
         }
     }

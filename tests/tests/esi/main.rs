@@ -11,6 +11,7 @@ mod dictionary;
 mod head;
 mod layout;
 mod process_data;
+mod slots;
 mod start_up;
 mod subjects;
 mod sync_managers;

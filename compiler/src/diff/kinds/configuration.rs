@@ -48,6 +48,11 @@ kinds! { ConfigurationBreaking:
     /// A way to find the reference position is gone or does something else.
     CHANGED_HOMING = "changed-homing", "a homing method is gone or another one";
 
+    /// The ESI lists axes as slots and no longer as one dictionary, or the other way round, or the modules in the slots are
+    /// others. Tools that set up slots have to do it again; a device that compares 0xF030 with what it finds stays in
+    /// Pre-Operational, with AL status 0x0070.
+    CHANGED_SLOTS = "changed-slots", "the slots of the ESI, or the modules in them, are others";
+
     /// A sync manager's outputs are newly watched or no longer, or its interrupts are others. A master that is too slow
     /// for the watchdog loses the device, with AL status 0x001B.
     CHANGED_WATCHDOG = "changed-watchdog", "watchdog or interrupts of a sync manager are others";

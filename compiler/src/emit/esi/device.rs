@@ -1,8 +1,9 @@
 //! `Device`: its parts in the order that the schema demands.
 
 use super::element::Element;
+use super::frame::Frame;
 use super::literal::{Bytes, Hex, prose};
-use super::{dc, eeprom, mailbox, pdo, profile, sync_managers, timeouts};
+use super::{dc, eeprom, mailbox, pdo, profile, slots, sync_managers, timeouts};
 use crate::model::{Device, Direction};
 
 /// A device.
@@ -18,10 +19,11 @@ pub(super) fn device(device: &Device) -> Element {
         .children(sync_managers::fmmus(device))
         .children(device.sync_managers.iter().map(sync_managers::sync_manager))
         .children(device.sync_units().into_iter().map(|unit| Element::leaf("Su", unit)))
-        .children(pdo::in_order(device, Direction::Rx))
-        .children(pdo::in_order(device, Direction::Tx))
+        .children(pdo::in_order(Frame::Device(device), Direction::Rx))
+        .children(pdo::in_order(Frame::Device(device), Direction::Tx))
         .child(mailbox::mailbox(device))
         .child(dc::dc(device))
+        .child(slots::slots(device))
         .child(eeprom::eeprom(&device.eeprom))
         .child(device.image.as_ref().map(|image| Element::leaf("ImageData16x14", Bytes(&image.bytes.0))))
 }

@@ -11,6 +11,7 @@ mod eeprom;
 mod element;
 mod enumeration;
 mod flags;
+mod frame;
 mod groups;
 mod heading;
 mod literal;
@@ -20,6 +21,7 @@ mod objects;
 mod pdo;
 mod primitive;
 mod profile;
+mod slots;
 mod sync_managers;
 mod timeouts;
 mod types;
@@ -75,6 +77,7 @@ fn root(family: &Family) -> Element {
         .child(
             Element::new("Descriptions")
                 .child(groups::groups(family))
-                .child(Element::new("Devices").children(devices)),
+                .child(Element::new("Devices").children(devices))
+                .child(slots::modules(family)),
         )
 }

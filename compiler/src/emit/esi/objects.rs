@@ -2,20 +2,21 @@
 
 use super::composite::{Member, Shape};
 use super::element::Element;
-use super::literal::{Bytes, Hex};
+use super::frame::Frame;
+use super::literal::Bytes;
 use super::types::Types;
 use super::{comment, flags, unit};
 use crate::model::{Device, Object, Value};
 
 /// An object.
-pub(super) fn object(device: &Device, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
+pub(super) fn object(frame: Frame<'_>, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
     Element::new("Object")
-        .child(Element::leaf("Index", Hex(object.index.0)))
-        .child(Element::worded("Name", device.on_axis(&object.name, object.axis)))
+        .child(frame.object(object.index))
+        .child(Element::worded("Name", frame.name(&object.name, object.axis)))
         .child(comment::of_object(object, shape))
         .child(Element::leaf("Type", types.name_of(object, shape)))
         .child(Element::leaf("BitSize", shape.bits()))
-        .child(info(device, object, shape))
+        .child(info(frame.device(), object, shape))
         .child(flags::of_object(object))
 }
 

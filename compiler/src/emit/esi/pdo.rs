@@ -1,17 +1,19 @@
 //! `RxPdo` and `TxPdo`: what can be exchanged in every cycle.
 
 use super::element::Element;
-use super::literal::Hex;
+use super::frame::Frame;
 use super::{names, primitive};
 use crate::model::{Device, Direction, Index, Mapped, Pdo, Role};
 
 /// The PDOs of a direction.
-pub(super) fn in_order(device: &Device, direction: Direction) -> Vec<Element> {
-    device.pdos_in_order(direction).into_iter().map(|it| pdo(device, it)).collect()
+pub(super) fn in_order(frame: Frame<'_>, direction: Direction) -> Vec<Element> {
+    let pdos = frame.device().pdos_in_order(direction).into_iter();
+    pdos.filter(|it| frame.carries(it)).map(|it| pdo(frame, it)).collect()
 }
 
 /// A PDO. Only one that is assigned at start-up names its sync manager.
-fn pdo(device: &Device, pdo: &Pdo) -> Element {
+fn pdo(frame: Frame<'_>, pdo: &Pdo) -> Element {
+    let device = frame.device();
     let tag = match pdo.direction {
         Direction::Rx => "RxPdo",
         Direction::Tx => "TxPdo",
@@ -21,10 +23,10 @@ fn pdo(device: &Device, pdo: &Pdo) -> Element {
         .with_some("Mandatory", pdo.mandatory.then_some("1"))
         .with_some("Sm", device.manager_of(pdo).map(|manager| manager.number))
         .with_some("Su", sync_unit(device, pdo))
-        .child(Element::leaf("Index", Hex(pdo.index.0)))
-        .child(Element::worded("Name", device.on_axis(&pdo.name, pdo.axis)))
-        .children(excludes(device, pdo).into_iter().map(|other| Element::leaf("Exclude", Hex(other.0))))
-        .children(pdo.entries.iter().map(|mapped| entry(device, pdo, mapped)))
+        .child(frame.pdo("Index", pdo.index))
+        .child(Element::worded("Name", frame.name(&pdo.name, pdo.axis)))
+        .children(excludes(device, pdo).into_iter().map(|other| frame.pdo("Exclude", other)))
+        .children(pdo.entries.iter().map(|mapped| entry(frame, pdo, mapped)))
 }
 
 /// The place of its sync unit among the `Su` elements.
@@ -48,16 +50,16 @@ fn excludes(device: &Device, pdo: &Pdo) -> Vec<Index> {
     device.pdos_of(pdo.direction).map(|other| other.index).filter(|other| *other != pdo.index).collect()
 }
 
-fn entry(device: &Device, pdo: &Pdo, mapped: &Mapped) -> Element {
+fn entry(frame: Frame<'_>, pdo: &Pdo, mapped: &Mapped) -> Element {
     let Some(address) = mapped.address else { return padding(mapped.bits) };
     // The type of another width than the one mapped would move all that follows in tools that go by types.
     let data_type = mapped.data_type.filter(|data_type| data_type.bits() == mapped.bits);
     let data_type = data_type.map_or_else(|| primitive::of_width(mapped.bits), primitive::name);
     Element::new("Entry")
-        .child(Element::leaf("Index", Hex(address.index.0)))
+        .child(frame.object(address.index))
         .child(Element::leaf("SubIndex", address.subindex))
         .child(Element::leaf("BitLen", mapped.bits))
-        .child(Element::worded("Name", names::mapped(device, pdo, mapped)))
+        .child(Element::worded("Name", names::mapped(frame, pdo, mapped)))
         .child(Element::leaf("DataType", data_type))
 }
 

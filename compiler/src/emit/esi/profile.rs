@@ -2,25 +2,37 @@
 
 use super::composite::Shape;
 use super::element::Element;
+use super::frame::Frame;
 use super::objects;
 use super::types::Types;
 use crate::model::{Address, Device, Index};
 
 /// The profile with the dictionary.
 pub(super) fn profile(device: &Device) -> Element {
-    let shapes: Vec<_> = device.objects.iter().map(|object| (object, Shape::of(object))).collect();
-    let types = Types::of(&shapes);
-    let objects = shapes.iter().map(|(object, shape)| objects::object(device, object, shape, &types));
-    let objects = Element::new("Objects").children(objects);
-    let dictionary = Element::new("Dictionary").child(types.declarations()).child(objects);
     Element::new("Profile")
         .children(number(device, information(device)))
         .children(channels(device))
-        .child(dictionary)
+        .child(dictionary(Frame::Device(device)))
 }
 
+/// What a module is, with its part of the dictionary.
+pub(super) fn of_module(frame: Frame<'_>) -> Element {
+    let device = frame.device();
+    Element::new("Profile").children(number(device, channel(device))).child(dictionary(frame))
+}
+
+fn dictionary(frame: Frame<'_>) -> Element {
+    let objects = frame.device().objects.iter().filter(|object| frame.has(object));
+    let shapes: Vec<_> = objects.map(|object| (object, Shape::of(object))).collect();
+    let types = Types::of(&shapes);
+    let objects = shapes.iter().map(|(object, shape)| objects::object(frame, object, shape, &types));
+    let objects = Element::new("Objects").children(objects);
+    Element::new("Dictionary").child(types.declarations()).child(objects)
+}
+
+/// A channel for each axis; where axes are in slots, their modules say what they are.
 fn channels(device: &Device) -> impl Iterator<Item = Element> {
-    let drives = device.axes.iter().filter(|_| device.profile.is_some());
+    let drives = device.axes.iter().filter(|_| device.profile.is_some() && device.modules.is_empty());
     drives.map(|axis| {
         let name = (!axis.name.is_empty()).then(|| Element::worded("DisplayName", &axis.name));
         Element::new("ChannelInfo").children(number(device, channel(device))).child(name)

@@ -71,12 +71,11 @@ impl Types {
             return;
         }
         let composite = self.composite(shape, first);
-        if self.composites.get(&first) == Some(&composite) {
+        if *self.composites.entry(first).or_insert_with(|| composite.clone()) == composite {
             self.shared.insert(object.index, first);
-            return;
+        } else {
+            self.composites.insert(object.index, self.composite(shape, object.index));
         }
-        let own = if first == object.index { composite } else { self.composite(shape, object.index) };
-        self.composites.insert(object.index, own);
     }
 
     fn name_of_member(&self, member: &Member<'_>) -> String {

@@ -48,7 +48,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
         // what they say stands with each entry; the picture is for tools
         enumerations: _, image: _,
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
-        axes, arrangement, connectors, leds,
+        axes, arrangement, modules, connectors, leds,
         communication_states, communication_transitions, al_status_codes, sync_managers, mailbox, timeouts,
         sync_modes, cycle_times, dead_time,
         configurations, words,
@@ -73,7 +73,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
     #[rustfmt::skip] // a line for each
     let chapters = [
         ("device", "Device", device::page(context, &head)),
-        ("axes", "Axes", axes::page(context, axes, arrangement)),
+        ("axes", "Axes", axes::page(context, axes, arrangement, modules)),
         ("connections", "Connections and lights", connections::page(context, connectors, leds)),
         ("communication", "Communication", communication::page(context, &link)),
         ("synchronisation", "Synchronisation", synchronisation::page(context, sync_modes, cycle_times, dead_time)),

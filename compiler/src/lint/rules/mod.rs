@@ -25,6 +25,7 @@ mod contradicted_period;
 mod contradicted_profile;
 mod contradicted_quantity;
 mod contradicted_size;
+mod contradicted_slots;
 mod contradicted_sync_types;
 mod contradicted_total;
 mod contradicted_width;
@@ -97,10 +98,12 @@ mod undefined_default;
 mod undersized_eeprom;
 mod undersized_sync_manager;
 mod understated_axes;
+mod uneven_slots;
 mod unexpected_mode_bit;
 mod unfit_image;
 mod unknown_homing_method;
 pub(super) mod unknown_rule;
+mod unlike_slots;
 mod unlistable_mode;
 mod unmappable_entry;
 mod unmapped_mode;
@@ -115,6 +118,7 @@ mod unrepresentable_value;
 mod unrestorable_value;
 mod unscaled_axis;
 mod unsized_string;
+mod unslotted_axis;
 mod unsourced_fact;
 mod unspoken_ability;
 mod unsupported_configuration_mode;
@@ -158,6 +162,7 @@ lints! {
     contradicted_profile,
     contradicted_quantity,
     contradicted_size,
+    contradicted_slots,
     contradicted_sync_types,
     contradicted_total,
     contradicted_width,
@@ -230,10 +235,12 @@ lints! {
     undersized_eeprom,
     undersized_sync_manager,
     understated_axes,
+    uneven_slots,
     unexpected_mode_bit,
     unfit_image,
     unknown_homing_method,
     unknown_rule,
+    unlike_slots,
     unlistable_mode,
     unmappable_entry,
     unmapped_mode,
@@ -248,6 +255,7 @@ lints! {
     unrestorable_value,
     unscaled_axis,
     unsized_string,
+    unslotted_axis,
     unsourced_fact,
     unspoken_ability,
     unsupported_configuration_mode,

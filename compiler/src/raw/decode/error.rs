@@ -6,13 +6,15 @@ use std::sync::Arc;
 use serde::de::{self, Expected, Unexpected};
 
 use crate::diagnostic::{Diagnostic, faults};
+use crate::model::Index;
+use crate::source::keys::number;
 use crate::source::{FileId, Location};
 use crate::text::near::{list, near};
 
 /// The first fault of a table.
 #[derive(Debug)]
 pub(super) struct Error {
-    fault: Fault,
+    fault: Box<Fault>,
     /// The innermost value or table around the fault.
     at: Option<Location>,
     /// The innermost key above the fault.
@@ -24,7 +26,7 @@ pub(super) struct Error {
 #[derive(Debug)]
 enum Fault {
     /// A value is of another type than it needs to be.
-    Type { expected: String, found: String },
+    Type { expected: String, found: String, meant: Option<Meant> },
     /// An integer does not fit its type.
     Range { value: i128, range: String },
     /// A word is none of those to choose from.
@@ -33,6 +35,36 @@ enum Fault {
     Missing(&'static str),
     /// Anything else, in the words of the type that was read.
     Value(String),
+}
+
+/// What is meant by a value of another type, where quotes are the fault.
+#[derive(Debug)]
+enum Meant {
+    /// The number in the quotes.
+    Number(String),
+    /// The index that lacks quotes.
+    Index(Index),
+}
+
+impl Meant {
+    fn of(found: Unexpected<'_>, expected: &str) -> Option<Self> {
+        match found {
+            Unexpected::Str(text) if matches!(expected, "an integer" | "a number") => {
+                number(text).map(|_| Self::Number(text.to_owned()))
+            }
+            Unexpected::Signed(index @ 0x1000..=0xFFFF) if expected.contains("index") => {
+                u16::try_from(index).ok().map(|index| Self::Index(Index(index)))
+            }
+            _ => None,
+        }
+    }
+
+    fn suggested(self, fault: Diagnostic, at: Location) -> Diagnostic {
+        match self {
+            Self::Number(number) => fault.fix("a number has no quotes", at, number),
+            Self::Index(index) => fault.fix("an index stands in quotes", at, format!("\"{index}\"")),
+        }
+    }
 }
 
 impl Error {
@@ -61,16 +93,20 @@ impl Error {
 
     /// Whether this is about one of these keys missing in its table.
     pub(super) fn is_missing(&self, keys: &[(Location, &str)]) -> bool {
-        matches!(self.fault, Fault::Missing(key) if keys.iter().any(|(at, name)| Some(*at) == self.at && *name == key))
+        matches!(*self.fault, Fault::Missing(key) if keys.iter().any(|(at, name)| Some(*at) == self.at && *name == key))
     }
 
     pub(super) fn into_diagnostic(self) -> Diagnostic {
         let at = self.at.unwrap_or(Location { file: FileId(0), start: 0, end: 0 });
         let of = |word: &str| self.key.as_ref().map(|key| format!("{word} `{key}`")).unwrap_or_default();
-        match self.fault {
-            Fault::Type { expected, found } => {
+        match *self.fault {
+            Fault::Type { expected, found, meant } => {
                 let message = format!("expected {expected}, found {found}");
-                Diagnostic::new(&faults::WRONG_TYPE, message, at, of("in"))
+                let fault = Diagnostic::new(&faults::WRONG_TYPE, message, at, of("in"));
+                match meant {
+                    Some(meant) => meant.suggested(fault, at),
+                    None => fault,
+                }
             }
             Fault::Range { value, range } => {
                 let message = format!("expected a number from {range}, found {value}");
@@ -108,7 +144,7 @@ fn word(diagnostic: Diagnostic, found: &str, known: &[&'static str], quoted: boo
 
 impl From<Fault> for Error {
     fn from(fault: Fault) -> Self {
-        Self { fault, at: None, key: None, in_key: false }
+        Self { fault: Box::new(fault), at: None, key: None, in_key: false }
     }
 }
 
@@ -118,7 +154,9 @@ impl de::Error for Error {
     }
 
     fn invalid_type(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Fault::Type { expected: expectation(expected), found: kind(found) }.into()
+        let expected = expectation(expected);
+        let meant = Meant::of(found, &expected);
+        Fault::Type { expected, found: kind(found), meant }.into()
     }
 
     fn invalid_value(found: Unexpected<'_>, expected: &dyn Expected) -> Self {

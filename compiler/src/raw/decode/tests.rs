@@ -173,6 +173,12 @@ fn values_of_the_wrong_type() {
       |
     2 | max-value = "5"
       |             ^^^ in `max-value`
+      |
+    help: a number has no quotes
+      |
+    2 - max-value = "5"
+    2 + max-value = 5
+      |
     "#);
     assert_snapshot!(bad("codes = [1, [2]]"), @r"
     error[wrong-type]: expected an integer, found an array
@@ -507,6 +513,19 @@ fn a_string_can_stand_for_a_table() {
         [(Some("controlword"), None), (None, Some(8)),]
     );
     assert_eq!(pdo.bits.as_ref().map(|bits| bits[0].name.as_str()), Some("ready"));
+    assert_snapshot!(read::<Pdo>("entries = [0x6040]").1, @r#"
+    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type` and `name`, found an integer
+     --> device.toml:1:12
+      |
+    1 | entries = [0x6040]
+      |            ^^^^^^ in `entries`
+      |
+    help: an index stands in quotes
+      |
+    1 - entries = [0x6040]
+    1 + entries = ["0x6040"]
+      |
+    "#);
     assert_snapshot!(read::<Pdo>("entries = [1]").1, @r"
     error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type` and `name`, found an integer
      --> device.toml:1:12

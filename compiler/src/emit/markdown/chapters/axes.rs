@@ -4,10 +4,15 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Arrangement, Axis, Index, Shift};
+use crate::model::{Arrangement, Axis, Index, Module, Shift};
 
 /// Which axes there are, and what moves from one to the next.
-pub(super) fn page(context: &Context<'_>, axes: &[Axis], arrangement: &Arrangement) -> Page {
+pub(super) fn page(
+    context: &Context<'_>,
+    axes: &[Axis],
+    arrangement: &Arrangement,
+    modules: &[Module],
+) -> Page {
     let Arrangement { shifts, pdo_shift, add_info, coupling, source, origin } = arrangement;
     let mut page = Page::default();
     let about = axes.iter().any(|axis| axis.about.is_some());
@@ -17,6 +22,7 @@ pub(super) fn page(context: &Context<'_>, axes: &[Axis], arrangement: &Arrangeme
         rules(context, shifts, *pdo_shift).iter().for_each(|rule| page.text(rule));
         add_info.iter().for_each(|add_info| page.text(kind(*add_info)));
         page.text(context.said_line(source.as_ref(), origin));
+        page.titled("Modules", module_table(context, modules));
     }
     page
 }
@@ -42,6 +48,18 @@ fn range_of(axis: &Axis, shift: &Shift) -> String {
 fn pdos(context: &Context<'_>, axis: &Axis) -> String {
     let own = context.device.pdos.iter().filter(|pdo| pdo.axis == Some(axis.number));
     list(own.map(|pdo| code(pdo.index)))
+}
+
+/// What is in the slots, where the ESI has some.
+fn module_table(context: &Context<'_>, modules: &[Module]) -> Table {
+    Table::of(["Module", "Name", "In the slots of", "Source"], modules, |module| {
+        [
+            code(format!("0x{:08X}", module.ident)),
+            text(&module.name),
+            list(context.device.axes_of(module).map(|axis| text(&axis.name))),
+            context.said(module.source.as_ref(), &module.origin),
+        ]
+    })
 }
 
 /// What each axis is, by the bits of the device type.
