@@ -118,7 +118,8 @@ pub(crate) fn resolved(
         return None;
     }
     enter(Stage::Decode);
-    let members = raw::read(document, &id, sources, diagnostics);
+    let mut members = raw::read(document, &id, sources, diagnostics);
+    raw::pictures(loader, &mut members, files, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }

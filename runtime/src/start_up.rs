@@ -4,6 +4,7 @@
 //! it counts. What the device does not let a master write is not in a list.
 
 mod bring_up;
+mod cycle;
 
 use core::fmt;
 
@@ -13,6 +14,7 @@ use crate::pdo::{Direction, MappedPdo, ProcessImage, Rx, Tx, refuse};
 use crate::text::Text;
 
 pub use bring_up::{AxisObjects, BringUp};
+pub use cycle::CycleLimit;
 
 /// A write through the mailbox: an SDO download on the way to process data.
 ///
@@ -90,6 +92,9 @@ pub struct StartUp {
     inputs: Option<&'static [MappedPdo]>,
     maps: bool,
     axes: &'static [AxisObjects],
+    /// The devices that the choice may be for, and which of them take it, a bit each.
+    devices: &'static [BringUp],
+    takers: u64,
     mode: Option<i8>,
     /// 0x60C2: a count of units of 10 to the power of the other, in seconds.
     cycle: Option<(u8, i8)>,
@@ -106,25 +111,27 @@ impl StartUp {
         O::Device: Family,
     {
         let (mut members, mut found) = (<O::Device as Family>::MEMBERS, None);
+        let (mut takers, mut place) = (0, 1);
         while let Some((member, rest)) = members.split_first() {
             if member.takes::<O>() && member.takes::<I>() {
+                takers |= place;
                 match found {
                     Some(first) if !member.is_like::<O, I>(first) => refuse(member.differs(first)),
                     Some(_) => {}
                     None => found = Some(member),
                 }
             }
-            members = rest;
+            (members, place) = (rest, place << 1);
         }
         match found {
-            Some(member) => Self::on::<O, I>(member),
+            Some(member) => Self { devices: <O::Device as Family>::MEMBERS, takers, ..Self::on::<O, I>(member) },
             None => refuse(Text::new().text("no device takes both images")),
         }
     }
 
     /// The process data of both directions on one of the devices that have it.
     #[track_caller]
-    pub const fn on<O, I>(device: &BringUp) -> Self
+    pub const fn on<O, I>(device: &'static BringUp) -> Self
     where
         O: ProcessImage<Direction = Rx>,
         I: ProcessImage<Direction = Tx, Device = O::Device>,
@@ -134,7 +141,9 @@ impl StartUp {
         }
         let outputs = if device.is_assignable::<Rx>() { Some(O::PDOS) } else { None };
         let inputs = if device.is_assignable::<Tx>() { Some(I::PDOS) } else { None };
-        Self { outputs, inputs, maps: device.maps, axes: device.axes, mode: None, cycle: None }
+        let devices = core::slice::from_ref(device);
+        let BringUp { maps, axes, .. } = *device;
+        Self { outputs, inputs, maps, axes, devices, takers: 1, mode: None, cycle: None }
     }
 
     /// With a mode of operation for each axis that has one.
@@ -143,9 +152,17 @@ impl StartUp {
         self
     }
 
-    /// With a cycle time in nanoseconds, for each axis that has one. 0x60C2 counts up to 255 of a power of ten of a
-    /// second: a time that it cannot hold does not compile.
+    /// With a cycle time in nanoseconds, for each axis that has 0x60C2. That counts up to 255 of a power of ten of a second: a
+    /// time that it cannot hold does not compile, nor does one that one of the devices does not take.
+    #[track_caller]
     pub const fn cycle_ns<const NS: u64>(mut self) -> Self {
+        let (mut devices, mut takers) = (self.devices, self.takers);
+        while let Some((device, rest)) = devices.split_first() {
+            if takers & 1 == 1 && !CycleLimit::any_takes(device.cycles, NS) {
+                refuse(Text::new().text(device.name).text(" does not take this cycle time"));
+            }
+            (devices, takers) = (rest, takers >> 1);
+        }
         self.cycle = Some(const { period(NS) });
         self
     }

@@ -4,6 +4,7 @@
 
 mod bits;
 mod bytes;
+mod clause;
 mod entity;
 mod find;
 mod layout;

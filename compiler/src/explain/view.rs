@@ -1,5 +1,6 @@
 //! All that is known of one thing.
 
+use super::clause;
 use super::entity::{Entity, text};
 use super::layout::{columns, hang, paragraph};
 use super::relation::{in_modes, referring, word};
@@ -11,7 +12,7 @@ use crate::source::{Member, Table, Value};
 pub(super) fn of_entity(trees: &Trees, entity: Entity<'_>) -> String {
     let mut view = View::new(trees, &entity.title(), entity, entity.text("name"));
     view.about(entity.table);
-    view.facts(entity.table, referring(entity));
+    view.facts(entity.table, referring(entity), clause::of(entity));
     view.lists(entity.table, Some(entity));
     view.word(word(entity, None));
     view.parts.join("\n\n")
@@ -25,7 +26,7 @@ pub(super) fn of_entry(trees: &Trees, object: Entity<'_>, entry: &Member) -> Str
     let subindex = numbers(&entry.key.name).map_or(0, |numbers| *numbers.start());
     let mut view = View::new(trees, &format!("entry {}:{subindex:02X}", object.key), object, name.as_deref());
     view.about(table);
-    view.facts(&table.over(&shared(object.table)), Vec::new());
+    view.facts(&table.over(&shared(object.table)), Vec::new(), clause::of(object));
     view.lists(table, None);
     view.word(word(object, Some(&entry.key.name)));
     view.parts.join("\n\n")
@@ -53,15 +54,16 @@ impl<'t> View<'t> {
         self.parts.extend(text(table, "about").map(paragraph));
     }
 
-    /// What is said in a line each, then who refers to it.
-    fn facts(&mut self, table: &Table, referring: Vec<(&str, Vec<Entity<'_>>)>) {
+    /// What is said in a line each, then who refers to it, and where a standard has it.
+    fn facts(&mut self, table: &Table, referring: Vec<(&str, Vec<Entity<'_>>)>, clause: Option<&str>) {
         let own = said(table, &["name", "about"]);
         let own = own.map(|member| vec![member.key.name.to_string(), self.value(member)]);
         let others = referring.into_iter().map(|(says, others)| {
             let others: Vec<String> = others.iter().map(Entity::title).collect();
             vec![says.to_owned(), others.join(", ")]
         });
-        let rows: Vec<Vec<String>> = own.chain(others).collect();
+        let clause = clause.map(|clause| vec!["clause".to_owned(), clause.to_owned()]);
+        let rows: Vec<Vec<String>> = own.chain(others).chain(clause).collect();
         if !rows.is_empty() {
             self.parts.push(columns(&rows).join("\n"));
         }

@@ -1,7 +1,6 @@
 //! The types of values on the wire.
 
 use std::fmt;
-use std::str::FromStr;
 
 use super::compare::value;
 use super::plain;
@@ -32,6 +31,36 @@ plain! {
         Octets(u16),
         /// Text of so many units of 16 bits.
         Unicode(u16),
+        /// So many numbers of one type, which travel as one value.
+        Array(Item, u16),
+    }
+
+    /// The numbers that arrays are made of.
+    #[derive(Copy, Eq)]
+    pub enum Item {
+        /// 8 bits with a sign.
+        Int8,
+        /// 16 bits with a sign.
+        Int16,
+        /// 32 bits with a sign.
+        Int32,
+        /// 32 bits without a sign.
+        Uint32,
+    }
+}
+
+impl Item {
+    /// All of them.
+    pub(crate) const ALL: [Self; 4] = [Self::Int8, Self::Int16, Self::Int32, Self::Uint32];
+
+    /// The type of each number.
+    pub fn data_type(self) -> DataType {
+        match self {
+            Self::Int8 => DataType::Int(8),
+            Self::Int16 => DataType::Int(16),
+            Self::Int32 => DataType::Int(32),
+            Self::Uint32 => DataType::Uint(32),
+        }
     }
 }
 
@@ -47,6 +76,7 @@ impl DataType {
             Self::Real64 => 64,
             Self::Text(bytes) | Self::Octets(bytes) => u32::from(bytes) * 8,
             Self::Unicode(units) => u32::from(units) * 16,
+            Self::Array(item, count) => u32::from(count) * item.data_type().bits(),
         }
     }
 
@@ -62,6 +92,7 @@ impl DataType {
             Self::Int(bits) => Some((-(1_i128 << (bits - 1)), (1_i128 << (bits - 1)) - 1)),
             Self::Uint(bits) | Self::Bitstring(bits) | Self::Bits(bits) => Some((0, (1_i128 << bits) - 1)),
             Self::Real32 | Self::Real64 | Self::Text(_) | Self::Octets(_) | Self::Unicode(_) => None,
+            Self::Array(..) => None,
         }
     }
 
@@ -89,6 +120,10 @@ impl DataType {
             Self::Bitstring(16) => 0x1F,
             Self::Bitstring(_) => 0x20,
             Self::Bits(bits) => 0x2F + u16::from(bits),
+            Self::Array(Item::Int16, _) => 0x0260,
+            Self::Array(Item::Int8, _) => 0x0261,
+            Self::Array(Item::Int32, _) => 0x0262,
+            Self::Array(Item::Uint32, _) => 0x0263,
         }
     }
 
@@ -119,6 +154,7 @@ impl fmt::Display for DataType {
             Self::Text(bytes) => write!(f, "STRING({bytes})"),
             Self::Octets(bytes) => write!(f, "OCTET_STRING({bytes})"),
             Self::Unicode(units) => write!(f, "UNICODE_STRING({units})"),
+            Self::Array(item, count) => write!(f, "ARRAY_OF_{}({count})", item.data_type()),
         }
     }
 }
@@ -129,128 +165,9 @@ impl From<DataType> for String {
     }
 }
 
-impl FromStr for DataType {
-    type Err = ();
-
-    /// Reads a type as descriptions write it; `STRING` without a length has length 0, to be filled in
-    /// from the default.
-    fn from_str(text: &str) -> Result<Self, ()> {
-        let number = |prefix: &str| text.strip_prefix(prefix).and_then(|rest| rest.parse::<u8>().ok());
-        let whole = |bits: u8| (8..=64).contains(&bits) && bits.is_multiple_of(8);
-        match text {
-            "BOOL" => Ok(Self::Bool),
-            "REAL32" => Ok(Self::Real32),
-            "REAL64" => Ok(Self::Real64),
-            "BYTE" => Ok(Self::Bitstring(8)),
-            "WORD" => Ok(Self::Bitstring(16)),
-            "DWORD" => Ok(Self::Bitstring(32)),
-            "STRING" => Ok(Self::Text(0)),
-            _ => {
-                if let Some(sized) = sized(text) {
-                    return Ok(sized);
-                }
-                let int = number("INT").filter(|bits| whole(*bits)).map(Self::Int);
-                let uint = number("UINT").filter(|bits| whole(*bits)).map(Self::Uint);
-                let bits = number("BIT").filter(|bits| (1..=8).contains(bits)).map(Self::Bits);
-                int.or(uint).or(bits).ok_or(())
-            }
-        }
-    }
-}
-
-/// A type of a length: `STRING(8)`.
-fn sized(text: &str) -> Option<DataType> {
-    let (name, length) = text.strip_suffix(')')?.split_once('(')?;
-    let length = length.parse::<u16>().ok()?;
-    match name {
-        "STRING" => Some(DataType::Text(length)),
-        "OCTET_STRING" if length > 0 => Some(DataType::Octets(length)),
-        "UNICODE_STRING" if (1..=0x7FFF).contains(&length) => Some(DataType::Unicode(length)),
-        _ => None,
-    }
-}
-
-impl DataType {
-    /// The type that ESI, IEC 61131-3 or CiA 301 call so, where a description calls it otherwise.
-    pub(crate) fn named_elsewhere(text: &str) -> Option<Self> {
-        let text = text.trim().to_ascii_uppercase();
-        let bits = |prefix: &str| text.strip_prefix(prefix).and_then(|bits| bits.parse::<u8>().ok());
-        let whole = |bits: &u8| (8..=64).contains(bits) && bits.is_multiple_of(8);
-        let plain = match text.as_str() {
-            "BOOLEAN" | "BIT" => Some(Self::Bool),
-            "F32" | "FLOAT" | "FLOAT32" => Some(Self::Real32),
-            "F64" | "DOUBLE" | "FLOAT64" => Some(Self::Real64),
-            "SINT" => Some(Self::Int(8)),
-            "INT" => Some(Self::Int(16)),
-            "DINT" => Some(Self::Int(32)),
-            "LINT" => Some(Self::Int(64)),
-            "USINT" => Some(Self::Uint(8)),
-            "UINT" => Some(Self::Uint(16)),
-            "UDINT" => Some(Self::Uint(32)),
-            "ULINT" => Some(Self::Uint(64)),
-            "REAL" => Some(Self::Real32),
-            "LREAL" => Some(Self::Real64),
-            "BITARR8" => Some(Self::Bitstring(8)),
-            "BITARR16" => Some(Self::Bitstring(16)),
-            "BITARR32" => Some(Self::Bitstring(32)),
-            _ => None,
-        };
-        plain
-            .or_else(|| bits("INTEGER").filter(whole).map(Self::Int))
-            .or_else(|| bits("UNSIGNED").filter(whole).map(Self::Uint))
-            .or_else(|| bits("I").filter(whole).map(Self::Int))
-            .or_else(|| bits("U").filter(whole).map(Self::Uint))
-            .or_else(|| text.strip_suffix("_T")?.parse().ok())
-            .or_else(|| sized(text.strip_prefix("VISIBLE_")?))
-            .or_else(|| array(&text))
-            .or_else(|| text.parse().ok())
-    }
-}
-
-/// Bytes or units of text as ESI has them: `ARRAY [0..7] OF BYTE`.
-fn array(text: &str) -> Option<DataType> {
-    let (bounds, of) = text.strip_prefix("ARRAY")?.trim().strip_prefix('[')?.split_once(']')?;
-    let last: u16 = bounds.split_once("..")?.1.trim().parse().ok()?;
-    let length = last.checked_add(1)?;
-    match of.trim().strip_prefix("OF")?.trim() {
-        "BYTE" | "USINT" => Some(DataType::Octets(length)),
-        "UINT" | "WORD" => Some(DataType::Unicode(length)).filter(|_| length <= 0x7FFF),
-        _ => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::DataType;
-
-    /// Names of ETG.1020 and IEC 61131-3 with what a description writes.
-    #[test]
-    fn names_of_other_places_are_known() {
-        let pairs = [
-            ("DINT", "INT32"),
-            ("ULINT", "UINT64"),
-            ("INTEGER24", "INT24"),
-            ("Unsigned8", "UINT8"),
-            ("BOOLEAN", "BOOL"),
-            ("LREAL", "REAL64"),
-            ("BITARR16", "WORD"),
-            ("VISIBLE_STRING(20)", "STRING(20)"),
-            ("ARRAY [0..7] OF BYTE", "OCTET_STRING(8)"),
-            ("int16", "INT16"),
-            ("u16", "UINT16"),
-            ("i32", "INT32"),
-            ("f32", "REAL32"),
-            ("uint8_t", "UINT8"),
-            ("double", "REAL64"),
-        ];
-        for (elsewhere, here) in pairs {
-            let found = DataType::named_elsewhere(elsewhere).map(|it| it.to_string());
-            assert_eq!(found.as_deref(), Some(here), "{elsewhere}");
-        }
-        for nothing in ["", "INTEGER7", "ARRAY [0..7] OF INT", "STRING(-1)", "ARRAY [0..65535] OF BYTE"] {
-            assert_eq!(DataType::named_elsewhere(nothing), None, "{nothing}");
-        }
-    }
 
     /// Numbers of CiA 301 and ETG.1020.
     #[test]
@@ -278,6 +195,10 @@ mod tests {
             ("STRING(4)", 0x09),
             ("OCTET_STRING(4)", 0x0A),
             ("UNICODE_STRING(4)", 0x0B),
+            ("ARRAY_OF_INT16(4)", 0x0260),
+            ("ARRAY_OF_INT8(4)", 0x0261),
+            ("ARRAY_OF_INT32(4)", 0x0262),
+            ("ARRAY_OF_UINT32(4)", 0x0263),
             ("BYTE", 0x1E),
             ("WORD", 0x1F),
             ("DWORD", 0x20),
@@ -287,14 +208,5 @@ mod tests {
         for (name, number) in numbers {
             assert_eq!(name.parse::<DataType>().unwrap().code(), number, "{name}");
         }
-    }
-
-    #[test]
-    fn types_are_read_as_they_are_written() {
-        for text in ["OCTET_STRING(8)", "UNICODE_STRING(20)", "STRING(3)", "BIT5", "DWORD", "UINT56"] {
-            assert_eq!(text.parse::<DataType>().unwrap().to_string(), text);
-        }
-        let bits = |text: &str| text.parse::<DataType>().unwrap().bits();
-        assert_eq!((bits("OCTET_STRING(8)"), bits("UNICODE_STRING(8)")), (64, 128));
     }
 }

@@ -22,6 +22,12 @@ table! {
         /// The vendor's own codes for it.
         #[serde(default)]
         pub vendor_codes: Vec<u32>,
+        /// How bad it is, in the vendor's classes, such as `"warning"` or `"1"`.
+        pub severity: Option<String>,
+        /// Whether it can be reset without switching the drive off.
+        pub resettable: Option<bool>,
+        /// What the drive's display shows, such as `"E101.0"`.
+        pub panel: Option<String>,
         /// What it means.
         pub about: Option<String>,
         /// What to do about it.
@@ -35,6 +41,12 @@ table! {
         pub code: u32,
         /// Its name.
         pub name: String,
+        /// How bad it is, in the vendor's classes, such as `"warning"` or `"1"`.
+        pub severity: Option<String>,
+        /// Whether it can be reset without switching the drive off.
+        pub resettable: Option<bool>,
+        /// What the drive's display shows, such as `"E101.0"`.
+        pub panel: Option<String>,
         /// What it means.
         pub about: Option<String>,
         /// What can have caused it, by the number that the device gives the cause.

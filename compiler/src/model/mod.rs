@@ -14,6 +14,7 @@ mod control;
 mod data_type;
 mod diagnosis;
 mod difference;
+mod enumeration;
 mod error;
 mod fact;
 mod field;
@@ -24,6 +25,7 @@ mod index;
 mod kept;
 mod keyed;
 mod language;
+mod lasting;
 mod literal;
 mod lookup;
 mod machine;
@@ -37,6 +39,7 @@ mod parameter;
 mod parts;
 mod pattern;
 mod pdo;
+mod picture;
 mod place;
 mod provenance;
 mod register;
@@ -52,6 +55,7 @@ pub(crate) mod table;
 mod timing;
 mod told;
 mod transport;
+mod type_name;
 mod unit;
 mod value;
 mod word;
@@ -63,9 +67,10 @@ pub use citation::Source;
 pub use compare::{Beside, Compare, differences};
 pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
-pub use data_type::DataType;
+pub use data_type::{DataType, Item};
 pub use diagnosis::{DiagnosisClass, DiagnosisMessage};
 pub use difference::{Difference, FieldPath};
+pub use enumeration::Enumeration;
 pub use error::{ErrorCode, VendorCode};
 pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Tables, Written};
 pub use field::{Field, Fields};
@@ -73,6 +78,7 @@ pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Ste
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
 pub use language::{Language, Translation, Translations};
+pub use lasting::{Effective, Stored};
 pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
 pub use machine::Given;
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
@@ -85,6 +91,7 @@ pub use parameter::{AxisGroup, Coordinates, Group, Parameter};
 pub(crate) use parts::{model, plain};
 pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Pdo};
+pub use picture::Picture;
 pub use place::Place;
 pub use provenance::{Provenance, facts, provenance};
 pub use register::{AbortCode, AlStatusCode, Register, RegisterAccess, Telegram};
@@ -156,6 +163,8 @@ model! {
         pub url: Option<String>,
         /// Where to read about it in other languages, by language.
         pub urls: Translations,
+        /// The picture that tools show beside its name.
+        pub image: Option<Picture>,
         /// What 0x1018 and the EEPROM say.
         pub identity: Identity,
         /// The EEPROM.
@@ -172,6 +181,8 @@ model! {
         pub repetitions: Vec<Repetition>,
         /// Titles of ranges of the dictionary, by index.
         pub areas: Vec<Area>,
+        /// What values mean that several entries share.
+        pub enumerations: Vec<Enumeration>,
         /// The object dictionary, by index.
         pub objects: Vec<Object>,
         /// The process data objects, by index: what the master sends, then what the device sends.

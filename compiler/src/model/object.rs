@@ -1,7 +1,9 @@
 //! The object dictionary.
 
 use super::table::part;
-use super::{Address, DataType, Direction, Index, Meanings, Source, Translations, Value, model};
+use super::{
+    Address, DataType, Direction, Effective, Index, Meanings, Source, Stored, Translations, Value, model,
+};
 use crate::source::Origin;
 
 model! {
@@ -78,6 +80,10 @@ model! {
         pub backup: bool,
         /// Whether it is one of the settings of an application.
         pub setting: bool,
+        /// When a new value takes effect.
+        pub effective: Option<Effective>,
+        /// Whether the device keeps it when it is switched off.
+        pub stored: Option<Stored>,
         /// What it is for.
         pub about: Option<String>,
         /// What else is to be said of it here.

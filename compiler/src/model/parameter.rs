@@ -1,7 +1,7 @@
 //! Settings outside the dictionary, and the vendor's own numbering of it.
 
 use super::table::table;
-use super::{Address, Index, Source, Value, ValueRanges, model};
+use super::{Address, Effective, Index, Source, Stored, Value, ValueRanges, model};
 use crate::source::Origin;
 
 table! {
@@ -28,6 +28,10 @@ table! {
         /// What its values mean, by value or by range of values.
         #[serde(default)]
         pub values: ValueRanges,
+        /// When a new value takes effect.
+        pub effective: Option<Effective>,
+        /// Whether the device keeps it when it is switched off.
+        pub stored: Option<Stored>,
     }
 }
 

@@ -16,6 +16,7 @@ macro_rules! for_each_section {
             Modules modules "modules" Indices Module,
             Areas areas "areas" Indices Area,
             Objects objects "objects" Indices RawObject,
+            Enumerations enumerations "enumerations" Words Enumeration,
             Coordinates coordinates "coordinates" Single RawCoordinates,
             Parameters parameters "parameters" Words Parameter,
             Units units "units" Words RawUnit,

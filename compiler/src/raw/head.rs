@@ -36,5 +36,10 @@ raw! {
         /// Where to read about it in other languages, by language.
         #[serde(default)]
         pub urls: Translations,
+        /// A picture of 16 by 14 points that tools show beside its name, a BMP file in the folder of the description; the ESI holds it.
+        pub image: Option<String>,
+        /// What is in that file.
+        #[serde(skip)]
+        pub image_bytes: Option<Vec<u8>>,
     }
 }

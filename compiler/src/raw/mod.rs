@@ -22,11 +22,13 @@ mod misplaced;
 mod mode;
 mod object;
 mod pdo;
+mod picture;
 mod read;
 mod read_object;
 #[cfg(feature = "schema")]
 pub mod schema;
 mod unit;
+mod values;
 mod word;
 
 pub use axes::{RawAxes, RawShift};
@@ -43,8 +45,10 @@ pub use member::{Reading, read};
 pub use mode::RawMode;
 pub use object::{Ignored, RawEntries, RawEntry, RawObject, RawObjectHead, RawTrigger};
 pub use pdo::{RawMapped, RawPdo, RawSyncManager};
+pub use picture::pictures;
 pub(crate) use read_object::SHARED;
 pub use unit::{RawAxisUnit, RawUnit};
+pub use values::RawValues;
 pub use word::RawWord;
 
 /// Declares a table of which something is resolved later.

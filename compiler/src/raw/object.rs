@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::values::RawValues;
 use crate::model::{
-    Access, Category, Index, Kind, Literal, Mappable, Meanings, Property, Source, Translations, WriteWindow,
+    Access, Category, Effective, Index, Kind, Literal, Mappable, Property, Source, Stored, Translations, WriteWindow,
 };
 use crate::source::Origin;
 
@@ -49,8 +50,8 @@ pub struct RawEntries {
 
 /// `[objects.<index>]`: an object of the dictionary. The keys `name` and from `type` to `parameter` say what its value
 /// is; the tables in `entries` have them, too. For a record or an array `type`, `access`, `pdo`, `category`, `unit`, `default`, `min`,
-/// `max`, `values`, `written`, `backup`, `setting`, `functional` and `trigger` hold for all entries that do not say otherwise, but for
-/// subindex 0.
+/// `max`, `values`, `written`, `backup`, `setting`, `effective`, `stored`, `functional` and `trigger` hold for all entries that do not
+/// say otherwise, but for subindex 0.
 #[derive(Debug, Default, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
@@ -59,8 +60,8 @@ pub struct RawObjectHead {
     pub id: Option<String>,
     /// `"var"`, `"array"` or `"record"`; what the entries look like if absent.
     pub kind: Option<Kind>,
-    /// The entries by subindex, `"1"`, or by a range of them, `"1..=16"`, in whose `name` and `parameter` `{}`
-    /// or `{+8}` is a number; none for a single value.
+    /// The entries by subindex, `"1"`, or by a range of them, `"1..=16"`, in whose `name`, `parameter`, `default`, `min` and
+    /// `max` `{}`, `{+8}` or `{-1:02}` is a number; none for a single value.
     #[serde(default)]
     pub entries: BTreeMap<String, Ignored>,
     /// What differs on some axes, by axis name, `"Y"`, or by a range of them, `"Y..=W"`.
@@ -89,7 +90,8 @@ pub struct RawEntry {
     #[serde(default)]
     pub names: Translations,
     /// Its data type: `BOOL`, `INT8` to `INT64`, `UINT8` to `UINT64`, `REAL32`, `REAL64`, `BYTE`, `WORD`,
-    /// `DWORD`, `BIT1` to `BIT8`, `STRING`, `STRING(n)`, `OCTET_STRING(n)` with n bytes or `UNICODE_STRING(n)` with n units of 16 bits.
+    /// `DWORD`, `BIT1` to `BIT8`, `STRING`, `STRING(n)`, `OCTET_STRING(n)` with n bytes, `UNICODE_STRING(n)` with n units of 16 bits, or
+    /// n numbers as one value: `ARRAY_OF_INT8(n)`, `ARRAY_OF_INT16(n)`, `ARRAY_OF_INT32(n)` or `ARRAY_OF_UINT32(n)`.
     pub r#type: Option<String>,
     /// `"ro"`, `"wo"`, `"rw"` or `"const"`.
     pub access: Option<Access>,
@@ -101,20 +103,25 @@ pub struct RawEntry {
     /// The unit of its value, one of `[units]`.
     pub unit: Option<String>,
     /// The value after start-up. A number can be written as a manual prints it in two columns, `"0x14 (20)"`: the
-    /// first counts, and a rule compares the other. The bytes of an octet string are written in hexadecimal, `"0A1B"`.
+    /// first counts, and a rule compares the other. The bytes of an octet string are written in hexadecimal, `"0A1B"`. In a
+    /// range of entries it can count with them: `"{+0x300}"`.
     pub default: Option<Literal>,
     /// The least value.
     pub min: Option<Literal>,
     /// The greatest value.
     pub max: Option<Literal>,
-    /// What single values mean, by value.
-    pub values: Option<Meanings>,
+    /// What single values mean, by value; or one of `[enumerations]`, `"inputs"`, that has it.
+    pub values: Option<RawValues>,
     /// The EtherCAT states in which it may be written; any in which there is a mailbox if absent.
     pub written: Option<WriteWindow>,
     /// Whether a tool saves it, to write it to a device that takes this one's place.
     pub backup: Option<bool>,
     /// Whether it is one of the settings of an application.
     pub setting: Option<bool>,
+    /// When a new value takes effect: `"at-once"`, `"disabled"`, `"safe-op"` or `"restart"`.
+    pub effective: Option<Effective>,
+    /// Whether the device keeps it when it is switched off: `"at-once"`, `"on-request"` or `"never"`.
+    pub stored: Option<Stored>,
     /// What it is for.
     pub about: Option<String>,
     /// What else is to be said of it here.
@@ -123,7 +130,8 @@ pub struct RawEntry {
     pub functional: Option<bool>,
     /// What writing it sets off.
     pub trigger: Option<RawTrigger>,
-    /// The vendor's own name of the parameter behind it, as `"A515"` or `"PTBASE"`.
+    /// The vendor's own name of the parameter behind it, as `"A515"` or `"PTBASE"`. That of an object with entries can number
+    /// them: with `"H02-{-1:02}"`, entry 6 is H02-05.
     pub parameter: Option<String>,
     /// What the vendor's tools are told of it: names and values that an ESI hands on as they are.
     #[serde(default)]

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use super::decode::Reader;
 use super::read::{Entity, Read, Sections};
-use super::{RawEntries, RawEntry, RawFacts, RawObject};
-use crate::source::{Location, Member, Members, Node, Origin, Table, Value, keys};
+use super::{RawEntries, RawEntry, RawFacts, RawObject, RawObjectHead};
+use crate::model::Kind;
+use crate::source::{Layer, Location, Member, Members, Node, Origin, Table, Value, keys};
 
 /// The keys that an object's table can have for all of its entries.
 pub(crate) const SHARED: &[&str] = &[
@@ -21,6 +22,8 @@ pub(crate) const SHARED: &[&str] = &[
     "written",
     "backup",
     "setting",
+    "effective",
+    "stored",
     "functional",
     "trigger",
 ];
@@ -37,8 +40,11 @@ impl Read for RawObject {
         let value = reader.part::<RawEntry>();
         let facts = reader.part::<RawFacts>();
         reader.finish();
-        let (head, value, source) = (head?, value?, sections.source(&facts?));
-        let entries = inner(&table, "entries").iter().filter_map(|member| entries(member, &table, sections));
+        let (head, value, source): (RawObjectHead, _, _) = (head?, value?, sections.source(&facts?));
+        // one value has no entries, whatever the profile's object has
+        let is_own = |member: &&Member| head.kind != Some(Kind::Var) || member.layer != Layer::Profile;
+        let own = inner(&table, "entries").iter().filter(is_own);
+        let entries = own.filter_map(|member| entries(member, &table, sections));
         let entries = entries.collect();
         let shared = shared(&table, header, sections)?;
         let per_axis = inner(&table, "per-axis").iter().filter_map(|axes| {

@@ -2,7 +2,8 @@
 
 use super::names::{self, Names, Unknown};
 use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
-use crate::model::{Address, Axis, Index, Object, Shift};
+use crate::model::{Address, Axis, Enumeration, Index, Meanings, Object, Shift};
+use crate::raw::RawValues;
 use crate::source::{Location, Origin};
 use crate::text::near::{list, meant};
 
@@ -27,6 +28,7 @@ pub(super) struct Context<'a> {
     pub(super) axes: Vec<Axis>,
     pub(super) shifts: Vec<Shift>,
     pub(super) pdo_shift: u16,
+    pub(super) enumerations: Vec<Enumeration>,
 }
 
 impl Context<'_> {
@@ -145,6 +147,20 @@ impl Context<'_> {
         };
         self.diagnostics.push(fault);
         false
+    }
+
+    /// What single values mean, there or in an enumeration; nothing if there is no such enumeration, which is reported.
+    pub(super) fn meanings(&mut self, raw: &RawValues, origin: &Origin) -> Meanings {
+        let name = match raw {
+            RawValues::Own(meanings) => return meanings.clone(),
+            RawValues::Shared(name) => name,
+        };
+        if let Some(known) = self.enumerations.iter().find(|enumeration| enumeration.id == *name) {
+            return known.values.clone();
+        }
+        let known: Vec<String> = self.enumerations.iter().map(|known| known.id.clone()).collect();
+        self.bind(name, &known, "enumeration", origin.value("values"));
+        Meanings::default()
     }
 
     /// The numbers of the axes with the distance of their copy of an index from the first axis' one; no

@@ -10,8 +10,8 @@ use super::{
 };
 use crate::diagnostic::Diagnostics;
 use crate::model::{
-    Arrangement, Device, Direction, Eeprom, Object, Parameter, Pdo, Repeated, Repetition, Slots, Tables,
-    repetitions,
+    Arrangement, Device, Direction, Eeprom, Hex, Object, Parameter, Pdo, Picture, Repeated, Repetition,
+    Slots, Tables, repetitions,
 };
 use crate::raw::{RawAxes, RawDevice};
 
@@ -48,6 +48,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         type_name: head.type_name.unwrap_or_else(|| head.name.replace(' ', "-")),
         physics: head.physics.unwrap_or_else(|| "YY".to_owned()),
         name: head.name, names: head.names, url: head.url, urls: head.urls, vendor: head.vendor, title: head.title, about: head.about,
+        image: head.image.zip(head.image_bytes).map(|(file, bytes)| Picture { file, bytes: Hex(bytes) }),
         models: head.models, profile: head.profile, source: head.source, origin: head.origin,
         identity, ebus_current: head.ebus_current, eeprom: raw.eeprom.unwrap_or_else(eeprom), limits: raw.limits,
         axes: context.axes.clone(), arrangement: arrangement(context, raw.axes), modules,
@@ -68,7 +69,7 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
         diagnosis: sorted(raw.diagnosis, |message| message.text_id),
         units: units::units(context, raw.units), coordinates: context.names.coordinates(),
         areas: sorted(raw.areas, |area| (area.first, area.last)), repetitions,
-        objects,
+        enumerations: std::mem::take(&mut context.enumerations), objects,
         registers: sorted(raw.registers, |register| register.address), telegrams: raw.telegrams,
         master_settings: raw.master_settings,
         parameters: parameters(context, raw.parameters),
@@ -88,6 +89,7 @@ fn context<'d>(raw: &mut RawDevice, diagnostics: &'d mut Diagnostics) -> Context
         axes: axes::axes(raw.axes.as_ref()),
         shifts: Vec::new(),
         pdo_shift: raw.axes.as_ref().and_then(|axes| axes.pdo_shift).unwrap_or(0x10),
+        enumerations: std::mem::take(&mut raw.enumerations),
     };
     let coordinates = raw.coordinates.take().map(|raw| coordinates::coordinates(&mut context, raw));
     context.names = Names::gather(raw, coordinates);

@@ -52,7 +52,11 @@ fn report_braces(context: &mut Context<'_>, raw: &RawEntries) {
     for (key, text) in [("name", &raw.value.name), ("parameter", &raw.value.parameter)] {
         let braced = text.as_ref().filter(|text| text.contains('{'));
         if let Some(text) = braced.filter(|text| numbered::numbered(text, 1).is_none()) {
-            context.invalid(text, "`{}`, or a signed number in braces such as `{+8}`", raw.origin.value(key));
+            context.invalid(
+                text,
+                "`{}`, or a signed number in braces such as `{+8}` or `{-1:02}`",
+                raw.origin.value(key),
+            );
         }
     }
 }
@@ -80,6 +84,8 @@ fn member(
     let known = Known { address, name: &name, data_type, many: raw.many };
     let mut entry = entry(context, known, &raw.value, &raw.origin)?;
     entry.id = ids.claim(&name);
+    let of_object = || numbered::numbered(object.value.parameter.as_deref()?, address.subindex);
+    entry.parameter = entry.parameter.or_else(|| of_object().filter(|_| !is_count));
     if is_count {
         entry.default = entry.default.or_else(|| Some(Value::Integer(highest(object).into())));
         entry.category = raw.value.category.unwrap_or(Category::Mandatory);
@@ -122,6 +128,8 @@ pub(super) fn plain(address: Address, name: &str, data_type: DataType, origin: &
         written: None,
         backup: false,
         setting: false,
+        effective: None,
+        stored: None,
         about: None,
         note: None,
         functional: true,
@@ -150,34 +158,19 @@ pub(super) fn entry(
     raw: &RawEntry,
     origin: &Origin,
 ) -> Option<Entry> {
+    #[rustfmt::skip] // a line for what belongs together
     let RawEntry {
-        name: _,
-        names,
-        r#type,
-        access,
-        pdo,
-        category,
-        unit,
-        default,
-        min,
-        max,
-        values,
-        written,
-        backup,
-        setting,
-        about,
-        note,
-        functional,
-        trigger,
-        parameter,
-        properties,
+        name: _, names, r#type, access, pdo, category, unit,
+        default, min, max, values,
+        written, backup, setting, effective, stored,
+        about, note, functional, trigger, parameter, properties,
     } = raw;
     let Known { address, name, data_type, many } = known;
     let data_type =
         self::data_type(context, address, r#type.as_deref(), data_type, default.as_ref(), origin)?;
-    let mut value = |literal: &Option<Literal>, key: &str| {
-        literal.as_ref().and_then(|literal| values::value(context, literal, data_type, key, origin))
-    };
+    let counts = many.then_some(address.subindex);
+    let mut value =
+        |literal: &Option<Literal>, key| counted(context, literal.as_ref()?, counts, data_type, key, origin);
     let (default, min, max) = (value(default, "default"), value(min, "min"), value(max, "max"));
     let numbered = |parameter: &String| numbered::of(parameter, address.subindex);
     Some(Entry {
@@ -193,10 +186,12 @@ pub(super) fn entry(
         default,
         min,
         max,
-        values: values.clone().unwrap_or_default(),
+        values: values.as_ref().map(|values| context.meanings(values, origin)).unwrap_or_default(),
         written: *written,
         backup: backup.unwrap_or_default(),
         setting: setting.unwrap_or_default(),
+        effective: *effective,
+        stored: *stored,
         about: about.clone(),
         note: note.clone(),
         functional: functional.unwrap_or(true),
@@ -206,6 +201,22 @@ pub(super) fn entry(
         source: None,
         origin: origin.clone(),
     })
+}
+
+/// A value as it is written, or as it is for one of several entries.
+fn counted(
+    context: &mut Context<'_>,
+    literal: &Literal,
+    subindex: Option<u8>,
+    data_type: DataType,
+    key: &str,
+    origin: &Origin,
+) -> Option<Value> {
+    let literal = match subindex {
+        Some(subindex) => numbered::value(literal, subindex, data_type),
+        None => literal.clone(),
+    };
+    values::value(context, &literal, data_type, key, origin)
 }
 
 fn data_type(

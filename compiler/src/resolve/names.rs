@@ -124,14 +124,19 @@ fn entries(object: &RawObject) -> impl Iterator<Item = (String, Address)> {
 /// The parameters behind an object and its entries.
 fn parameters(object: &RawObject) -> Vec<(String, Address)> {
     let index = object.index;
-    let entries =
-        object.entries.iter().filter_map(|entries| Some((entries.range, entries.value.parameter.as_ref()?)));
+    let of_object = object.value.parameter.as_ref();
+    let of_all = of_object.filter(|parameter| numbered::numbered(parameter, 1).is_some());
+    let entries = object.entries.iter().filter_map(|entries| {
+        let parameter = entries.value.parameter.as_ref().or(of_all)?;
+        Some((entries.range, parameter))
+    });
     let entries = entries.flat_map(|((first, last), parameter)| {
         let address = move |subindex| Address { index, subindex };
         (first..=last).map(move |subindex| (numbered::of(parameter, subindex), address(subindex)))
     });
-    let own = object.value.parameter.clone().map(|parameter| (parameter, Address { index, subindex: 0 }));
-    entries.chain(own).collect()
+    let own = of_object.filter(|_| of_all.is_none()).cloned();
+    let own = own.map(|parameter| (parameter, Address { index, subindex: 0 }));
+    entries.filter(|(_, address)| of_all.is_none() || address.subindex > 0).chain(own).collect()
 }
 
 /// The subindex of a reference: hexadecimal, as ETG and CiA print it.

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::context::Context;
-use super::{entries, names};
+use super::{entries, names, numbered};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::{Index, Kind, Object};
 use crate::raw::{RawObject, RawObjectHead};
@@ -112,13 +112,18 @@ pub(super) fn object(
         about: value.about.clone(),
         note: value.note.clone(),
         functional: value.functional.unwrap_or(true),
-        parameter: value.parameter.clone().or_else(|| coordinate(context, key)),
+        parameter: whole(value.parameter.as_ref()).or_else(|| coordinate(context, key)),
         properties: value.properties.clone(),
         entries,
         derived: false,
         source: source.clone(),
         origin: origin.clone(),
     })
+}
+
+/// The parameter behind an object; one with a number in braces is behind each of its entries.
+fn whole(parameter: Option<&String>) -> Option<String> {
+    parameter.filter(|parameter| numbered::numbered(parameter, 1).is_none()).cloned()
 }
 
 /// The coordinate that the object is described under, if it is not under its index.

@@ -112,6 +112,9 @@ fn holds(data_type: DataType) -> String {
         (None, DataType::Octets(bytes)) => {
             format!("{data_type} holds up to {bytes} bytes, two hexadecimal digits each: \"0A1B\"")
         }
+        (None, DataType::Array(..)) => {
+            format!("{data_type} holds bytes, of which no value can be told")
+        }
         (None, _) => format!("{data_type} holds numbers"),
     }
 }

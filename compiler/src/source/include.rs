@@ -224,7 +224,8 @@ impl Unreadable {
     }
 }
 
-fn outside(name: &str, at: Location) -> Diagnostic {
+/// That a file is named which is none of the description's.
+pub(crate) fn outside(name: &str, at: Location) -> Diagnostic {
     let message = format!("`{name}` lies outside the folder of the description");
     Diagnostic::new(&faults::OUTSIDE_INCLUDE, message, at, "leaves the folder")
         .note("a description is one folder that can be moved as a whole; links are followed")

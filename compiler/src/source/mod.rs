@@ -21,6 +21,7 @@ mod settings;
 mod tests;
 mod tree;
 
+pub(crate) use include::outside;
 #[cfg(any(feature = "cli", feature = "wireshark"))]
 pub(crate) use load::read_profile;
 pub use load::{Document, MAIN_FILE, Profile, load};

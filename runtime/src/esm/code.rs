@@ -19,6 +19,11 @@ codes! { AlStatusCode:
     NONE = 0x0000, "no error";
     UNSPECIFIED = 0x0001, "an error that is not told";
     NO_MEMORY = 0x0002, "the device has not enough memory";
+    INVALID_SETUP = 0x0003, "the parts of the device do not fit each other";
+    INVALID_REVISION = 0x0004, "the device is of a revision that does not fit";
+    EEPROM_OF_OTHER_FIRMWARE = 0x0006, "the EEPROM was written for another firmware";
+    UPDATE_FAILED = 0x0007, "the firmware that was loaded cannot be used";
+    NO_LICENCE = 0x000E, "the device lacks a licence";
     INVALID_CHANGE = 0x0011, "the state that is asked for does not follow the present one";
     UNKNOWN_STATE = 0x0012, "there is no such state";
     NO_BOOTSTRAP = 0x0013, "the device has no state Bootstrap";
@@ -56,9 +61,23 @@ codes! { AlStatusCode:
     INVALID_CYCLE = 0x0035, "the device does not take the cycle time";
     INVALID_SYNC0_CYCLE = 0x0036, "the device does not take the cycle time of SYNC0";
     INVALID_SYNC1_CYCLE = 0x0037, "the device does not take the cycle time of SYNC1";
+    MAILBOX_AOE = 0x0041, "the mailbox of ADS failed";
+    MAILBOX_EOE = 0x0042, "the mailbox of Ethernet failed";
+    MAILBOX_COE = 0x0043, "the mailbox of CANopen failed";
+    MAILBOX_FOE = 0x0044, "the mailbox of files failed";
+    MAILBOX_SOE = 0x0045, "the mailbox of the servo profile failed";
+    MAILBOX_VOE = 0x004F, "the mailbox of the vendor's protocol failed";
     EEPROM_NOT_ACCESSIBLE = 0x0050, "the EEPROM is not given to the device";
     EEPROM_ERROR = 0x0051, "the EEPROM could not be read";
+    HARDWARE_NOT_READY = 0x0052, "something that is connected is not ready";
     RESTARTED = 0x0060, "the device has restarted by itself";
+    IDENTIFICATION_UPDATED = 0x0061, "the device has another identification value";
+    MODULES_DIFFER = 0x0070, "the modules are not those that are set up";
+    VOLTAGE_TOO_LOW = 0x0080, "the supply voltage is too low";
+    VOLTAGE_TOO_HIGH = 0x0081, "the supply voltage is too high";
+    TEMPERATURE_TOO_LOW = 0x0082, "the temperature is too low";
+    TEMPERATURE_TOO_HIGH = 0x0083, "the temperature is too high";
+    CONTROLLER_AVAILABLE = 0x00F0, "the device's own controller is there now";
 }
 
 impl fmt::Display for AlStatusCode {

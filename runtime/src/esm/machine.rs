@@ -1,7 +1,9 @@
 //! The states, and what leads from one to another.
 
 use super::managers::{mailboxes, process_data};
-use super::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Configured, Lengths};
+use super::{
+    AlControl, AlState, AlStatus, AlStatusCode, Areas, Clocked, Clocks, Configured, Lengths, Watchdog,
+};
 use crate::sdo::CommunicationState;
 
 /// A change of the state.
@@ -24,6 +26,21 @@ pub trait Application {
     /// Whether outputs have come since Safe-Operational, which Operational begins with.
     fn has_outputs(&self) -> bool {
         true
+    }
+
+    /// What the device takes of the distributed clocks, and how they are set; none for a device that does not look at them.
+    fn clocks(&self) -> Option<(Clocks<'_>, Clocked)> {
+        None
+    }
+
+    /// Whether signals of the clocks have come since they were switched on, which Operational begins with.
+    fn has_signals(&self) -> bool {
+        true
+    }
+
+    /// The watchdog as its registers are set; none for a device that does not look at them.
+    fn watchdog(&self) -> Option<Watchdog> {
+        None
     }
 }
 
@@ -135,6 +152,14 @@ impl StateMachine {
         }
     }
 
+    /// Signals of the clocks failed to come: out of Operational to Safe-Operational.
+    pub fn signals_lost(&mut self) -> Option<Change> {
+        match self.state {
+            AlState::Operational => self.fall(AlState::SafeOperational, AlStatusCode::FATAL_SYNCHRONISATION),
+            _ => None,
+        }
+    }
+
     fn permit(
         &self,
         change: Change,
@@ -150,9 +175,23 @@ impl StateMachine {
             }
             (Init, Bootstrap) if boot_out.is_none() => Err(AlStatusCode::NO_BOOTSTRAP),
             (Init, Bootstrap) => mailboxes([boot_out, boot_in], managers, AlStatusCode::INVALID_BOOT_MAILBOX),
-            (PreOperational, SafeOperational) => process_data(&self.areas, managers, lengths),
+            (PreOperational, SafeOperational) => {
+                process_data(&self.areas, managers, lengths)?;
+                let [_, _, outputs, _] = managers;
+                let is_timeless = |watchdog: Watchdog| watchdog.timeout_ns() == 0;
+                if outputs.is_on && outputs.is_watched() && application.watchdog().is_some_and(is_timeless) {
+                    return Err(AlStatusCode::INVALID_WATCHDOG);
+                }
+                application.clocks().map_or(Ok(()), |(clocks, clocked)| clocks.judge(clocked))
+            }
             (SafeOperational, Operational) if lengths.outputs > 0 && !application.has_outputs() => {
                 Err(AlStatusCode::NO_VALID_OUTPUTS)
+            }
+            (SafeOperational, Operational)
+                if application.clocks().is_some_and(|(_, clocked)| clocked.is_on())
+                    && !application.has_signals() =>
+            {
+                Err(AlStatusCode::NO_SYNC_SIGNAL)
             }
             (SafeOperational, Operational) | (_, Init) => Ok(()),
             (SafeOperational | Operational, PreOperational) | (Operational, SafeOperational) => Ok(()),
@@ -170,4 +209,77 @@ fn is_down(change: Change) -> bool {
             | (SafeOperational | Operational, PreOperational)
             | (Operational, SafeOperational)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Area, ClockMode};
+    use super::*;
+
+    const AREAS: Areas = Areas {
+        mailbox_out: None,
+        mailbox_in: None,
+        boot_out: None,
+        boot_in: None,
+        outputs: Some(Area { address: 0x1100, length: (0, 64) }),
+        inputs: None,
+    };
+    const BY_SYNC0: &[ClockMode] = &[ClockMode { assign_activate: 0x0300, sync0_ns: None, sync1_ns: None }];
+
+    struct Firmware {
+        clocked: Clocked,
+        has_signals: bool,
+        watchdog: Watchdog,
+    }
+
+    impl Application for Firmware {
+        fn clocks(&self) -> Option<(Clocks<'_>, Clocked)> {
+            Some((Clocks { modes: BY_SYNC0, least_ns: 250_000, choices_ns: &[] }, self.clocked))
+        }
+
+        fn has_signals(&self) -> bool {
+            self.has_signals
+        }
+
+        fn watchdog(&self) -> Option<Watchdog> {
+            Some(self.watchdog)
+        }
+    }
+
+    /// Goes up to Operational as far as it gets, and tells where it stands and why.
+    fn risen(firmware: &mut Firmware) -> (AlState, AlStatusCode) {
+        let mut machine = StateMachine::new(AREAS);
+        let outputs = Configured { address: 0x1100, length: 6, control: 0x64, is_on: true };
+        let managers = [Configured::default(), Configured::default(), outputs, Configured::default()];
+        for state in [AlState::PreOperational, AlState::SafeOperational, AlState::Operational] {
+            let lengths = Lengths { outputs: 6, inputs: 0 };
+            let control = AlControl::request(state, false);
+            if machine.request(control, &managers, lengths, firmware).is_none() {
+                break;
+            }
+        }
+        (machine.state(), machine.code())
+    }
+
+    /// ETG.1000.6, AL status codes.
+    #[test]
+    fn clocks_and_watchdog_are_judged_on_the_way_up() {
+        let good = || Firmware {
+            clocked: Clocked { activation: 0x03, sync0_ns: 1_000_000, sync1_ns: 0 },
+            has_signals: true,
+            watchdog: Watchdog::of_registers(2498, 1000),
+        };
+        assert_eq!(risen(&mut good()), (AlState::Operational, AlStatusCode::NONE));
+        let with = |clocked| Firmware { clocked, ..good() };
+        let set = |activation, sync0_ns| Clocked { activation, sync0_ns, sync1_ns: 0 };
+        for (mut firmware, state, code) in [
+            (with(set(0, 0)), AlState::PreOperational, 0x0027),
+            (with(set(0x07, 1_000_000)), AlState::PreOperational, 0x0030),
+            (with(set(0x03, 100_000)), AlState::PreOperational, 0x0036),
+            (Firmware { watchdog: Watchdog::new(0), ..good() }, AlState::PreOperational, 0x001F),
+            (Firmware { has_signals: false, ..good() }, AlState::SafeOperational, 0x002D),
+        ] {
+            assert_eq!(risen(&mut firmware), (state, AlStatusCode(code)));
+        }
+    }
 }

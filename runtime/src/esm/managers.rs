@@ -71,6 +71,11 @@ impl Configured {
         self.control & 0x0C == 0x04
     }
 
+    /// Whether it sets off the watchdog: bit 6 of the control byte.
+    pub(super) const fn is_watched(self) -> bool {
+        self.control & 0x40 != 0
+    }
+
     /// Whether it is a mailbox: bits 0 and 1 of the control byte are 2.
     const fn is_mailbox(self) -> bool {
         self.control & 0x03 == 0x02

@@ -1,5 +1,6 @@
 //! What of a device bears on its bring-up.
 
+use super::CycleLimit;
 use crate::pdo::{Direction, MappedPdo, ProcessImage, Rx, SyncManager};
 use crate::text::Text;
 
@@ -18,6 +19,8 @@ pub struct BringUp {
     pub maps: bool,
     /// The objects of each axis that does something with them.
     pub axes: &'static [AxisObjects],
+    /// The cycle times that the device takes, for one use or another; any if none are told.
+    pub cycles: &'static [CycleLimit],
 }
 
 /// The objects of an axis that are written once, before it is run.

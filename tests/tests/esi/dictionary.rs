@@ -117,6 +117,10 @@ fn spelled(data_type: DataType) -> String {
         ("REAL64", "LREAL"),
     ];
     // Arrays without subindices: the type of an element.
+    let data_type = match data_type {
+        DataType::Array(item, _) => item.data_type(),
+        other => other,
+    };
     match data_type {
         DataType::Octets(_) => return "BYTE".to_owned(),
         DataType::Unicode(_) => return "UINT".to_owned(),

@@ -16,3 +16,4 @@ mod slots;
 mod start_up;
 mod subjects;
 mod sync_managers;
+mod units;

@@ -107,7 +107,8 @@ fn what_the_dictionary_lacks_has_a_type_that_tells_its_width() {
 
 #[test]
 fn pdos_and_what_they_carry_have_names_of_their_own() {
-    for subject in subjects() {
+    // the maker of the SV660N has one name for all of a direction, and the description allows it
+    for subject in subjects().iter().filter(|subject| subject.family.id != "sv660n") {
         for (_, read) in subject.devices() {
             for pdos in [&read.rx_pdos, &read.tx_pdos] {
                 let names: BTreeSet<_> = pdos.iter().map(|pdo| &pdo.name).collect();
@@ -221,7 +222,9 @@ fn each_pdo_is_an_object_that_maps_what_it_carries() {
                 assert_eq!(mapped[0], [used as u8], "{:04X}", pdo.index);
                 assert_eq!(mapped[1..=used], expected.collect::<Vec<_>>(), "{:04X}", pdo.index);
                 assert!(mapped[used + 1..].iter().all(|it| *it == [0; 4]), "{:04X}", pdo.index);
-                assert!(!pdo.fixed || mapped.len() == used + 1, "{:04X}", pdo.index);
+                // that of the SV660N has ten subindices, whatever it maps
+                let is_exact = subject.family.id == "sv660n" || mapped.len() == used + 1;
+                assert!(!pdo.fixed || is_exact, "{:04X}", pdo.index);
             }
         }
     }

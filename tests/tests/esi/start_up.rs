@@ -61,7 +61,8 @@ fn timeouts_are_in_milliseconds() {
 
 #[test]
 fn what_nobody_states_is_not_there() {
-    for subject in subjects().iter().filter(|subject| subject.family.id != "corners") {
+    let silent = subjects().iter().filter(|it| !["corners", "sv660n"].contains(&&*it.family.id));
+    for subject in silent {
         for (_, device) in subject.devices() {
             assert!(device.timeouts.is_empty() && device.sync_units.is_empty() && device.hidden.is_empty());
             assert_eq!(device.eoe, (None, None));

@@ -38,7 +38,9 @@ impl Subject {
 
 /// All of them, compiled once.
 static SUBJECTS: LazyLock<Vec<Subject>> = LazyLock::new(|| {
-    let mut subjects: Vec<_> = shipped().iter().map(|folder| subject(&Disk, folder)).collect();
+    let public = Path::new(env!("CARGO_MANIFEST_DIR")).join("devices/sv660n");
+    let folders = shipped().into_iter().chain([public]);
+    let mut subjects: Vec<_> = folders.map(|folder| subject(&Disk, &folder)).collect();
     for (id, text) in [("corners", CORNERS)].into_iter().chain(WIRED) {
         let folder = Path::new("/").join(id);
         subjects.push(subject(&Memory::new().with(folder.join("device.toml"), text), &folder));

@@ -116,7 +116,7 @@ macro_rules! period {
 fn a_cycle_time_is_counted_in_the_largest_unit_that_fits() {
     assert_eq!(period!(1_000_000), (1, -3));
     assert_eq!(period!(250_000), (25, -5));
-    assert_eq!(period!(125_000), (125, -6));
+    assert_eq!(period!(255_000), (255, -6));
     assert_eq!(period!(200_000_000), (200, -3));
 }
 
@@ -174,4 +174,15 @@ fn gaps_are_sent_as_zeros_and_not_read() {
     view.set_controlword(gaps.controlword);
     view.set_position(gaps.position);
     assert_eq!(frame, filled);
+}
+
+/// What each member takes: a position every millisecond, or every 250 µs (S700, 3.10; C887T0011, p. 4).
+#[test]
+fn a_device_takes_its_cycle_times_only() {
+    use devc_runtime::start_up::CycleLimit;
+    let takes = |limits: &[CycleLimit], ns| CycleLimit::any_takes(limits, ns);
+    let s700 = s700::BRING_UP.cycles;
+    let c887 = c887::BRING_UP.cycles;
+    assert!(takes(s700, 250_000) && !takes(s700, 200_000));
+    assert!(takes(c887, 1_000_000) && !takes(c887, 250_000));
 }

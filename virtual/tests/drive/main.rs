@@ -6,6 +6,7 @@ mod clocks;
 mod communication;
 mod faults;
 mod homing;
+mod mapping;
 mod modes;
 mod parameters;
 mod probes;

@@ -1,4 +1,5 @@
-//! The shipped devices, and where their process data has what: by the description, apart from what runs in the drive.
+//! The shipped devices and one that is only described, and where their process data has what: by the description, apart from
+//! what runs in the drive.
 #![allow(dead_code)] // each target of tests uses a part
 
 use std::path::Path;
@@ -8,10 +9,10 @@ use devc::model::{Address, Configuration, Device, Direction, Index, Pdo, Role};
 use devc::source::{Disk, Memory};
 use devc_virtual::drive::Model;
 
-/// Every device that is shipped, compiled once.
+/// Every device that is shipped, and a drive of another vendor, compiled once.
 static DEVICES: LazyLock<Vec<(Device, Model)>> = LazyLock::new(|| {
-    let families = ["c887", "s700", "pmc-sc6"].map(|name| {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../devices").join(name);
+    let families = ["devices/c887", "devices/s700", "devices/pmc-sc6", "tests/devices/sv660n"].map(|path| {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
         devc::compile(&Disk, &folder).family.expect("the description has no errors")
     });
     let members = families.iter().flat_map(|family| &family.members);
@@ -31,6 +32,11 @@ fn known() -> impl Iterator<Item = &'static (Device, Model)> {
 
 /// Those that are shipped.
 pub(crate) fn devices() -> impl Iterator<Item = &'static Device> {
+    all().filter(|device| device.id != "sv660n")
+}
+
+/// Those that are shipped, and the drive of another vendor.
+pub(crate) fn all() -> impl Iterator<Item = &'static Device> {
     DEVICES.iter().map(|(device, _)| device)
 }
 

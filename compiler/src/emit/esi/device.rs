@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::frame::Frame;
-use super::literal::{Hex, prose};
+use super::literal::{Bytes, Hex, prose};
 use super::{dc, eeprom, info, mailbox, pdo, profile, slots, sync_managers};
 use crate::model::{Device, Direction};
 
@@ -26,6 +26,7 @@ pub(super) fn device(device: &Device) -> Element {
         .child(dc::dc(device))
         .child(slots::slots(device))
         .child(eeprom::eeprom(&device.eeprom))
+        .child(device.image.as_ref().map(|image| Element::leaf("ImageData16x14", Bytes(&image.bytes.0))))
 }
 
 fn type_and_identity(device: &Device) -> Element {

@@ -10,8 +10,8 @@ pub(super) fn of_entry(entry: &Entry) -> Element {
 
 /// The flags of an object: those of its value, or for an object of several what holds for any of them.
 pub(super) fn of_object(object: &Object) -> Element {
-    let values =
-        || object.entries.iter().filter(|entry| object.kind == Kind::Var || entry.address.subindex > 0);
+    let is_alone = object.kind == Kind::Var || object.entries.len() == 1;
+    let values = || object.entries.iter().filter(|entry| is_alone || entry.address.subindex > 0);
     let readable = values().any(|entry| entry.access.readable());
     let writable = values().any(|entry| entry.access.writable());
     let first = values().next().filter(|first| values().all(|entry| access(entry) == access(first)));

@@ -25,6 +25,7 @@ const IN_FILE: &[(Section, &[&str])] = &[
             "url",
             "urls",
             "ebus-current",
+            "image",
         ],
     ),
     (Section::Identity, &["vendor-id", "product-code", "revision", "serial", "replaces"]),

@@ -26,6 +26,7 @@ mod profile;
 mod slots;
 mod sync_managers;
 mod types;
+mod unit;
 mod vendor;
 
 use self::element::Element;

@@ -5,8 +5,8 @@ use super::element::Element;
 use super::frame::Frame;
 use super::literal::Bytes;
 use super::types::Types;
-use super::{comment, flags, names};
-use crate::model::{Object, Property, Value};
+use super::{comment, flags, names, unit};
+use crate::model::{Device, Object, Property, Value};
 
 /// An object.
 pub(super) fn object(frame: Frame<'_>, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
@@ -16,7 +16,7 @@ pub(super) fn object(frame: Frame<'_>, object: &Object, shape: &Shape<'_>, types
         .child(comment::of_object(object, shape))
         .child(Element::leaf("Type", types.name_of(object, shape)))
         .child(Element::leaf("BitSize", shape.bits()))
-        .child(info(shape))
+        .child(info(frame.device(), object, shape))
         .child(flags::of_object(object))
         .child(Element::new("Properties").children(properties(&object.properties)).unless_empty())
 }
@@ -32,7 +32,8 @@ pub(super) fn properties(properties: &[Property]) -> impl Iterator<Item = Elemen
 }
 
 /// The values of an object: its own, or those of every member in order.
-fn info(shape: &Shape<'_>) -> Option<Element> {
+fn info(device: &Device, object: &Object, shape: &Shape<'_>) -> Option<Element> {
+    let values = |member: &Member<'_>| values(member).child(unit::of(device, member.entry, object.axis));
     match shape {
         Shape::Var(only) => values(only).unless_empty(),
         Shape::Array(members) | Shape::Record(members) => {

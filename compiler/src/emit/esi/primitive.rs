@@ -1,7 +1,7 @@
 //! Basic data types by their names in ETG.1020.
 
 use super::element::Element;
-use crate::model::DataType;
+use crate::model::{DataType, Item};
 
 /// The name, which is that of IEC 61131-3 where there is one.
 pub(super) fn name(data_type: DataType) -> String {
@@ -26,6 +26,7 @@ pub(super) fn name(data_type: DataType) -> String {
         DataType::Text(bytes) => format!("STRING({bytes})"),
         DataType::Octets(bytes) => array(bytes, "BYTE"),
         DataType::Unicode(units) => array(units, "UINT"),
+        DataType::Array(item, count) => array(count, &name(item.data_type())),
     }
 }
 
@@ -38,6 +39,7 @@ pub(super) fn elements(data_type: DataType) -> Option<(DataType, u16)> {
     match data_type {
         DataType::Octets(bytes) => Some((DataType::Bitstring(8), bytes)),
         DataType::Unicode(units) => Some((DataType::Uint(16), units)),
+        DataType::Array(item, count) => Some((item.data_type(), count)),
         _ => None,
     }
 }
@@ -69,6 +71,10 @@ pub(super) fn order(data_type: DataType) -> (u8, u32) {
         DataType::Text(_) => 6,
         DataType::Octets(_) => 7,
         DataType::Unicode(_) => 8,
+        DataType::Array(Item::Int8, _) => 9,
+        DataType::Array(Item::Int16, _) => 10,
+        DataType::Array(Item::Int32, _) => 11,
+        DataType::Array(Item::Uint32, _) => 12,
     };
     (kind, data_type.bits())
 }

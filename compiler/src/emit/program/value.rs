@@ -37,7 +37,9 @@ pub(in crate::emit) fn of_type(data_type: Option<DataType>, bits: u32, is_word: 
         Some(data_type @ (DataType::Real32 | DataType::Real64)) if data_type.bits() == bits => {
             (Kind::Real, bits)
         }
-        Some(DataType::Text(_) | DataType::Octets(_) | DataType::Unicode(_)) => (Kind::Bytes, bits),
+        Some(DataType::Text(_) | DataType::Octets(_) | DataType::Unicode(_) | DataType::Array(..)) => {
+            (Kind::Bytes, bits)
+        }
         _ if bits == 1 => (Kind::Bool, 1),
         _ if bits <= 64 => (Kind::Uint, bits),
         _ => (Kind::Bytes, bits),

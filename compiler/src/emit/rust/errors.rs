@@ -58,12 +58,10 @@ fn values(device: &Device) -> Vec<ErrorCode> {
         last: code,
         id: value.id.clone(),
         name: value.name.clone(),
-        register: None,
-        vendor_codes: Vec::new(),
         about: value.about.clone(),
-        remedy: None,
         source: entry.source.clone(),
         origin: entry.origin.clone(),
+        ..ErrorCode::default()
     };
     codes.map(error).collect()
 }

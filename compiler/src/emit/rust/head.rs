@@ -34,7 +34,7 @@ pub(super) fn imports(scopes: &[Scope<'_>]) -> TokenStream {
             MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
             Unmapped,
         };
-        use #runtime::start_up::{AxisObjects, BringUp, Write};
+        use #runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
         #units
         use #runtime::{Device, error};
     }

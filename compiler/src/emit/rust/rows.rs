@@ -253,7 +253,7 @@ fn data_type(data_type: DataType) -> TokenStream {
         DataType::Real64 => "F64".to_owned(),
         DataType::Text(_) => "TEXT".to_owned(),
         DataType::Unicode(_) => "DataType::UNICODE_STRING".to_owned(),
-        DataType::Octets(_) | DataType::Bitstring(_) | DataType::Bits(_) => {
+        DataType::Octets(_) | DataType::Bitstring(_) | DataType::Bits(_) | DataType::Array(..) => {
             format!("DataType(0x{:04X})", data_type.code())
         }
     };

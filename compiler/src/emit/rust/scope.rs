@@ -32,6 +32,7 @@ const RESERVED: &[&str] = &[
     "Condition",
     "Constant",
     "Coupling",
+    "CycleLimit",
     "DataType",
     "Device",
     "Edge",

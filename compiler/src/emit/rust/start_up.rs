@@ -25,6 +25,11 @@ fn constant(scope: &Scope<'_>) -> (Doc, TokenStream) {
         let (mode, cycle) = (on_axis(scope, 0x6060, axis.number), on_axis(scope, 0x60C2, axis.number));
         quote!(AxisObjects { mode: #mode, cycle: #cycle })
     });
+    let cycles = scope.device.cycle_times.iter().map(|limit| {
+        let least = number(limit.min.map_or(0, |min| min.0));
+        let choices = limit.choices.iter().map(|choice| number(choice.0));
+        quote!(CycleLimit { least_ns: #least, choices_ns: &[#(#choices),*] })
+    });
     let ways = [Direction::Rx, Direction::Tx];
     let [outputs, inputs] = ways.map(|way| option(sync_managers::value(scope, way)));
     let code = quote! {
@@ -35,6 +40,7 @@ fn constant(scope: &Scope<'_>) -> (Doc, TokenStream) {
             inputs: #inputs,
             maps: #maps,
             axes: &[#(#objects),*],
+            cycles: &[#(#cycles),*],
         };
     };
     let doc = Doc::new("What of the device bears on its bring-up, and on what process data it takes.");

@@ -30,7 +30,9 @@ impl Primitive {
             DataType::Real32 => Self::Real(32),
             DataType::Real64 => Self::Real(64),
             DataType::Text(_) => Self::Text,
-            DataType::Octets(_) | DataType::Unicode(_) => Self::Bytes(data_type.bytes()),
+            DataType::Octets(_) | DataType::Unicode(_) | DataType::Array(..) => {
+                Self::Bytes(data_type.bytes())
+            }
         }
     }
 

@@ -34,19 +34,23 @@ mod deviating_access;
 mod deviating_kind;
 mod deviating_mapping;
 mod deviating_pattern;
+mod deviating_transition;
 mod deviating_type;
 mod differing_axis;
+mod empty_limits;
 pub(crate) mod empty_name;
 mod empty_reason;
 mod excluded_assignment;
 pub(crate) mod foreign_state;
 mod hidden_command;
+mod idle_enumeration;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
 pub(crate) mod impossible_boot_mailbox;
 pub(crate) mod impossible_eeprom_size;
 pub(crate) mod incomplete_timeouts;
+mod indistinct_bit;
 pub(crate) mod indistinct_members;
 mod inverted_limits;
 mod manufacturer_bit;
@@ -61,9 +65,11 @@ mod missing_group;
 mod missing_mandatory_pdo;
 mod missing_object;
 mod missing_sync_manager;
+mod missing_transition;
 pub(crate) mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
+mod opposed_switch;
 mod overfull_assignment;
 mod overlapping_bits;
 mod overlapping_groups;
@@ -101,6 +107,7 @@ mod undersized_sync_manager;
 mod understated_axes;
 pub(crate) mod uneven_slots;
 mod unexpected_mode_bit;
+mod unfit_image;
 mod unknown_homing_method;
 pub(super) mod unknown_rule;
 pub(crate) mod unlike_slots;
@@ -171,19 +178,23 @@ lints! {
     deviating_kind,
     deviating_mapping,
     deviating_pattern,
+    deviating_transition,
     deviating_type,
     differing_axis,
+    empty_limits,
     empty_name,
     empty_reason,
     excluded_assignment,
     foreign_state,
     hidden_command,
+    idle_enumeration,
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
     impossible_boot_mailbox,
     impossible_eeprom_size,
     incomplete_timeouts,
+    indistinct_bit,
     indistinct_members,
     inverted_limits,
     manufacturer_bit,
@@ -198,9 +209,11 @@ lints! {
     missing_mandatory_pdo,
     missing_object,
     missing_sync_manager,
+    missing_transition,
     mixed_vendors,
     odd_count_type,
     one_sided_exclusion,
+    opposed_switch,
     overfull_assignment,
     overlapping_bits,
     overlapping_groups,
@@ -238,6 +251,7 @@ lints! {
     understated_axes,
     uneven_slots,
     unexpected_mode_bit,
+    unfit_image,
     unknown_homing_method,
     unknown_rule,
     unlike_slots,

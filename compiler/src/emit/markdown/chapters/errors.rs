@@ -41,17 +41,21 @@ fn error_table(context: &Context<'_>, errors: &[ErrorCode]) -> Table {
             name,
             register,
             vendor_codes,
+            severity,
+            resettable,
+            panel,
             about,
             remedy,
             source,
             origin,
         } = error;
+        let kind = Kind { severity, resettable: *resettable, panel };
         [
             format!("{}{}", anchor(context.error_id(error)), codes(error)),
             format!("**{}**", text(name)),
             register.map_or(String::new(), |register| code(format!("0x{register:02X}"))),
             list(vendor_codes.iter().map(|code| vendor_code(context, *code))),
-            context.optional(about.as_deref()),
+            meaning(context, &kind, about.as_deref(), &[]),
             context.optional(remedy.as_deref()),
             context.said(source.as_ref(), origin),
         ]
@@ -76,11 +80,29 @@ fn message_table(context: &Context<'_>, messages: &[DiagnosisMessage]) -> Table 
     })
 }
 
-/// What a vendor's code means, then what can have caused it.
-fn meaning(context: &Context<'_>, about: Option<&str>, causes: &[Meaning]) -> String {
+/// How an error shows, and how one gets out of it.
+struct Kind<'a> {
+    severity: &'a Option<String>,
+    resettable: Option<bool>,
+    panel: &'a Option<String>,
+}
+
+impl Kind<'_> {
+    fn lines(&self) -> impl Iterator<Item = String> {
+        let panel = self.panel.as_ref().map(|panel| format!("shown as {}", code(panel)));
+        let severity = self.severity.as_ref().map(|severity| format!("severity {}", text(severity)));
+        let resettable = self.resettable.map(|can| {
+            if can { "can be reset".to_owned() } else { "cannot be reset but by switching off".to_owned() }
+        });
+        [panel, severity, resettable].into_iter().flatten()
+    }
+}
+
+/// What a code means, how it shows, then what can have caused it.
+fn meaning(context: &Context<'_>, kind: &Kind<'_>, about: Option<&str>, causes: &[Meaning]) -> String {
     let about = about.iter().map(|about| context.prose(about));
     let causes = causes.iter().map(|cause| format!("cause {}", value(context, cause)));
-    about.chain(causes).collect::<Vec<_>>().join("<br>")
+    about.chain(kind.lines()).chain(causes).collect::<Vec<_>>().join("<br>")
 }
 
 fn codes(error: &ErrorCode) -> String {
@@ -100,12 +122,14 @@ fn vendor_id(number: u32) -> String {
 fn vendor_table(context: &Context<'_>, vendor_codes: &[VendorCode]) -> Table {
     let titles = ["Code", "Name", "Meaning", "Reported as", "Source"];
     Table::of(titles, vendor_codes, |vendor| {
-        let VendorCode { code: number, name, about, causes, source, origin } = vendor;
+        let VendorCode { code: number, name, severity, resettable, panel, about, causes, source, origin } =
+            vendor;
+        let kind = Kind { severity, resettable: *resettable, panel };
         let errors = context.device.errors.iter().filter(|error| error.vendor_codes.contains(number));
         [
             format!("{}{}", anchor(vendor_id(*number)), code(number)),
             format!("**{}**", text(name)),
-            meaning(context, about.as_deref(), causes),
+            meaning(context, &kind, about.as_deref(), causes),
             list(errors.map(|error| link(codes(error), context.error_id(error)))),
             context.said(source.as_ref(), origin),
         ]

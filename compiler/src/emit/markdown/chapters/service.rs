@@ -4,7 +4,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, fragment, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{MasterSetting, Parameter, Procedure, Step, Value, ValueRange};
+use crate::model::{Effective, MasterSetting, Parameter, Procedure, Step, Stored, Value, ValueRange};
 
 /// What is set in the master, parameters that are no objects, and procedures step by step.
 pub(super) fn page(
@@ -36,8 +36,22 @@ fn master_settings(context: &Context<'_>, settings: &[MasterSetting]) -> Table {
 fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
     let titles = ["Parameter", "Name", "Object", "On delivery", "Range", "Unit", "What it does", "Source"];
     Table::of(titles, parameters, |parameter| {
-        let Parameter { id, name, address, about, default, min, max, symbol, values, source, origin } =
-            parameter;
+        let Parameter {
+            id,
+            name,
+            address,
+            about,
+            default,
+            min,
+            max,
+            symbol,
+            values,
+            effective,
+            stored,
+            source,
+            origin,
+        } = parameter;
+        let kept = [effective.map(Effective::sentence), stored.map(Stored::sentence)];
         [
             code(id),
             format!("**{}**", text(name)),
@@ -45,7 +59,7 @@ fn parameter_table(context: &Context<'_>, parameters: &[Parameter]) -> Table {
             default.as_ref().map_or(String::new(), code),
             range(min.as_ref(), max.as_ref()),
             symbol.as_deref().map_or(String::new(), text),
-            effect(context, about.as_deref(), values),
+            effect(context, about.as_deref(), kept.into_iter().flatten(), values),
             context.said(source.as_ref(), origin),
         ]
     })
@@ -60,10 +74,15 @@ fn range(min: Option<&Value>, max: Option<&Value>) -> String {
     }
 }
 
-fn effect(context: &Context<'_>, about: Option<&str>, values: &[ValueRange]) -> String {
+fn effect(
+    context: &Context<'_>,
+    about: Option<&str>,
+    kept: impl Iterator<Item = &'static str>,
+    values: &[ValueRange],
+) -> String {
     let about = about.iter().map(|about| context.prose(about));
     let values = values.iter().map(|range| range_meaning(context, range));
-    about.chain(values).collect::<Vec<_>>().join("<br>")
+    about.chain(kept.map(sentence)).chain(values).collect::<Vec<_>>().join("<br>")
 }
 
 /// A value, or a range of values, with what it means.

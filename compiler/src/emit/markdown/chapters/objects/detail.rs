@@ -5,7 +5,7 @@ use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Entry, Mode, Object, Pdo, Property, Source, Trigger};
+use crate::model::{Effective, Entry, Mode, Object, Pdo, Property, Source, Stored, Trigger};
 use crate::source::Origin;
 
 /// What there is to say of an object.
@@ -91,6 +91,8 @@ struct Facts<'a> {
     properties: &'a [Property],
     backup: bool,
     setting: bool,
+    effective: Option<Effective>,
+    stored: Option<Stored>,
 }
 
 impl<'a> Facts<'a> {
@@ -123,6 +125,8 @@ impl<'a> Facts<'a> {
             properties,
             backup: false,
             setting: false,
+            effective: None,
+            stored: None,
         }
     }
 
@@ -136,6 +140,8 @@ impl<'a> Facts<'a> {
             backup,
             setting,
             parameter: _,
+            effective,
+            stored,
             address: _,
             id: _,
             name: _,
@@ -162,6 +168,8 @@ impl<'a> Facts<'a> {
             properties,
             backup: *backup,
             setting: *setting,
+            effective: *effective,
+            stored: *stored,
         }
     }
 
@@ -173,7 +181,9 @@ impl<'a> Facts<'a> {
         let note = self.note.map(|note| marked("note", note));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        let said = [functional, about, note, backup, setting].into_iter().flatten();
+        let effective = self.effective.map(|when| sentence(when.sentence()));
+        let stored = self.stored.map(|how| sentence(how.sentence()));
+        let said = [functional, about, note, backup, setting, effective, stored].into_iter().flatten();
         said.chain(self.properties.iter().map(property)).collect()
     }
 }
