@@ -124,7 +124,9 @@ impl StartUp {
             (members, place) = (rest, place << 1);
         }
         match found {
-            Some(member) => Self { devices: <O::Device as Family>::MEMBERS, takers, ..Self::on::<O, I>(member) },
+            Some(member) => {
+                Self { devices: <O::Device as Family>::MEMBERS, takers, ..Self::on::<O, I>(member) }
+            }
             None => refuse(Text::new().text("no device takes both images")),
         }
     }

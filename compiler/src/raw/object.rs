@@ -6,7 +6,8 @@ use serde::Deserialize;
 
 use super::values::RawValues;
 use crate::model::{
-    Access, Category, Effective, Index, Kind, Literal, Mappable, Property, Source, Stored, Translations, WriteWindow,
+    Access, Category, Effective, Index, Kind, Literal, Mappable, Property, Source, Stored, Translations,
+    WriteWindow,
 };
 use crate::source::Origin;
 

@@ -79,7 +79,8 @@ fn the_free_mapping_of_the_s700_is_accepted() {
 #[test]
 fn the_list_follows_from_the_types_of_the_configuration() {
     use s700::s700::configurations::{FREE_MAPPING, POSITION, free_mapping, position};
-    const FREE: StartUp = StartUp::of::<free_mapping::Outputs, free_mapping::Inputs>().mode(1).cycle_ns::<2_000_000>();
+    const FREE: StartUp =
+        StartUp::of::<free_mapping::Outputs, free_mapping::Inputs>().mode(1).cycle_ns::<2_000_000>();
     const WRITES: [Write; FREE.len()] = FREE.writes();
     let bare = |write: &Write| (write.address, write.data().to_vec(), write.transition);
     assert_eq!(WRITES.each_ref().map(bare), FREE_MAPPING.each_ref().map(bare));
