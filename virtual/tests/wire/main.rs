@@ -15,3 +15,4 @@ mod master;
 mod served;
 mod states;
 mod trace;
+mod wired;

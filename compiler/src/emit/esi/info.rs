@@ -1,14 +1,17 @@
-//! `Info`: how long a master waits.
+//! `Info`: the current from the E-bus, and how long a master waits.
 
 use super::element::Element;
 use crate::model::{Device, Duration, Timeouts};
 
-/// The timeouts; none of a kind unless all of it are said, for the schema has no room for less.
+/// What is said of it; no timeouts of a kind unless all of it are said, for the schema has no room for less.
 pub(super) fn info(device: &Device) -> Option<Element> {
-    let timeouts = device.timeouts.as_ref()?;
+    let current = device.ebus_current.map(|current| Element::leaf("EBusCurrent", current));
+    let states = device.timeouts.as_ref().and_then(state_machine);
+    let mailbox = device.timeouts.as_ref().and_then(mailbox);
     Element::new("Info")
-        .child(state_machine(timeouts).map(|timeout| Element::new("StateMachine").child(timeout)))
-        .child(mailbox(timeouts).map(|timeout| Element::new("Mailbox").child(timeout)))
+        .child(current.map(|current| Element::new("Electrical").child(current)))
+        .child(states.map(|timeout| Element::new("StateMachine").child(timeout)))
+        .child(mailbox.map(|timeout| Element::new("Mailbox").child(timeout)))
         .unless_empty()
 }
 
