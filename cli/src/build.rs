@@ -6,16 +6,18 @@ use std::time::Instant;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use devc::Compilation;
 use devc::emit::{self, Emitter, Files, Options};
-use devc::lint::{Checked, Levels};
+use devc::lint::Checked;
 use devc::model::Family;
 use devc::source::Disk;
+use devc::{Compilation, Request};
 
+use super::folders::Folders;
 use super::levels::LevelArguments;
 use super::limit::Limit;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
+use super::project::Project;
 use super::report::{Report, counts, verdict};
 use super::timings::Timings;
 use super::watch::watch;
@@ -35,17 +37,22 @@ pub(super) struct Build {
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
 
-    /// The folder for the outputs.
-    #[arg(long, short, value_name = "DIR", default_value = "generated")]
-    out: PathBuf,
+    /// The folder for the outputs [default: what `devc.toml` says, or `generated`].
+    #[arg(long, short, value_name = "DIR")]
+    out: Option<PathBuf>,
 
-    /// The outputs to make, separated by commas: names, `default` for what is made of itself, or `all`.
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT, value_parser = emitters())]
+    /// The outputs to make, separated by commas: names, `default` for what is made of itself, or `all`
+    /// [default: what `devc.toml` says, or `default`].
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = emitters())]
     emit: Vec<String>,
 
     /// Leave out of the reference how sure facts are: errata, remarks, assumptions and marks.
     #[arg(long)]
     no_editorial: bool,
+
+    /// Leave the dictionary for a firmware out of Rust: a master needs none.
+    #[arg(long)]
+    no_dictionary: bool,
 
     /// Write nothing; say which outputs are not up to date.
     #[arg(long)]
@@ -66,25 +73,30 @@ pub(super) struct Build {
     watch: bool,
 }
 
-/// The word for the outputs that are made of themselves, and that for every one.
-const DEFAULT: &str = "default";
-const ALL: &str = "all";
-
 /// The names of all outputs, with what they are, and the words for several of them.
 fn emitters() -> PossibleValuesParser {
     let named = |emitter: &&dyn Emitter| PossibleValue::new(emitter.name()).help(emitter.summary());
-    let of_itself: Vec<_> = emit::ALL.iter().filter(|it| it.is_default()).map(|it| it.name()).collect();
+    let of_itself: Vec<_> = emit::default().map(|it| it.name()).collect();
     let groups = [
-        PossibleValue::new(DEFAULT).help(of_itself.join(", ")),
-        PossibleValue::new(ALL).help("every output that there is"),
+        PossibleValue::new(emit::DEFAULT).help(of_itself.join(", ")),
+        PossibleValue::new(emit::EVERY).help("every output that there is"),
     ];
     PossibleValuesParser::new(emit::ALL.iter().map(named).chain(groups))
+}
+
+/// What is to be made, and where.
+struct Order {
+    request: Request,
+    emitters: Vec<&'static dyn Emitter>,
+    options: Options,
+    folders: Folders,
 }
 
 /// What was made of a description, before anything of it is said or written.
 struct Made {
     compilation: Compilation,
-    files: Option<Files>,
+    /// The files of each output folder.
+    files: Option<BTreeMap<PathBuf, Files>>,
     timings: Timings,
 }
 
@@ -97,63 +109,43 @@ impl Build {
         self.all(&paths, report).map(|(outcome, _)| outcome)
     }
 
+    /// What the command line says, and where it says nothing the project.
+    fn order(&self, project: &Project) -> Result<Order, Failure> {
+        let emitters = match self.emit.as_slice() {
+            [] => project.emitters(),
+            words => emit::wanted(words.iter().map(String::as_str)),
+        };
+        let editorial = !self.no_editorial && project.outputs.editorial.unwrap_or(true);
+        let dictionary = !self.no_dictionary && project.outputs.dictionary.unwrap_or(true);
+        let outputs = emit::lints(emitters.iter().copied());
+        Ok(Order {
+            request: Request { levels: self.levels.levels()?, outputs },
+            emitters,
+            options: Options { editorial, dictionary },
+            folders: Folders::new(self.out.as_deref(), project),
+        })
+    }
+
     /// Builds all descriptions once, and tells which files were read.
     fn all(&self, paths: &[PathBuf], report: &Report) -> Result<(Outcome, Vec<PathBuf>), Failure> {
-        let levels = self.levels.levels()?;
+        let project = Project::here(report)?;
+        let order = self.order(&project)?;
         // Before anything is read, so that the last of several runs leaves what the descriptions say then.
-        let place = if self.check { None } else { Some(self.enter(report)?) };
+        let places = if self.check { None } else { Some(order.enter(report)?) };
         let workers = if self.timings { Workers::ONE } else { Workers::all() };
-        let mut made = workers.map(paths, |path| self.make(path, &levels, workers));
+        let mut made = workers.map(paths, |path| order.make(path, workers));
         let mut outcome = Outcome::Clean;
         let mut built = BTreeMap::new();
         for (path, made) in paths.iter().zip(&mut made) {
             self.limit.cut(&mut made.compilation);
             report.diagnostics(&made.compilation);
             outcome = outcome.max(verdict(&made.compilation, self.levels.deny_warnings));
-            let end = self.finish(path, made, &mut built, place.as_ref(), report);
+            let end = self.finish(path, made, &mut built, places.as_ref(), report);
             outcome = outcome.max(end.unwrap_or_else(|failure| report.failure(&failure)));
         }
-        let read = made.into_iter().flat_map(|made| made.compilation.files);
+        let read = made.into_iter().flat_map(|made| made.compilation.files).chain(project.file);
         // a description that cannot be read may come to be
         Ok((outcome, read.chain(paths.iter().cloned()).collect()))
-    }
-
-    /// Makes the output folder if need be, and holds it.
-    fn enter(&self, report: &Report) -> Result<Workplace, Failure> {
-        make_folder(&self.out)?;
-        Ok(Workplace::enter(&self.out, report))
-    }
-
-    /// Compiles a description and makes its outputs.
-    fn make(&self, path: &Path, levels: &Levels, workers: Workers) -> Made {
-        let mut timings = Timings::start();
-        let compilation = devc::compile_with(&Disk, path, levels, &mut |stage| timings.enter(stage.name()));
-        timings.stop();
-        let files = compilation.family.as_ref().map(|family| self.emit(family, &mut timings, workers));
-        Made { compilation, files, timings }
-    }
-
-    fn emit(&self, family: &Checked<Family>, timings: &mut Timings, workers: Workers) -> Files {
-        let wanted = |emitter: &&&dyn Emitter| {
-            self.emit.iter().any(|name| match name.as_str() {
-                DEFAULT => emitter.is_default(),
-                ALL => true,
-                name => name == emitter.name(),
-            })
-        };
-        // the last takes longest, so it is begun first
-        let emitters: Vec<&dyn Emitter> = emit::ALL.iter().rev().filter(wanted).copied().collect();
-        let options = Options { editorial: !self.no_editorial };
-        let made = workers.map(&emitters, |emitter| {
-            let start = Instant::now();
-            (emit::emit(family, &[*emitter], &options), start.elapsed())
-        });
-        let mut files = Files::default();
-        for (emitter, (made, time)) in emitters.iter().zip(made).rev() {
-            timings.add(emitter.name(), time);
-            files.0.extend(made.0);
-        }
-        files
     }
 
     /// Compares or writes the outputs of one description, and says what was done.
@@ -162,7 +154,7 @@ impl Build {
         path: &'m Path,
         made: &'m mut Made,
         built: &mut BTreeMap<String, &'m Path>,
-        place: Option<&Workplace>,
+        places: Option<&BTreeMap<PathBuf, Workplace>>,
         report: &Report,
     ) -> Result<Outcome, Failure> {
         let Made { compilation, files, timings } = made;
@@ -173,19 +165,73 @@ impl Build {
         };
         claim(built, &family.id, path)?;
         timings.enter(if self.check { "compare" } else { "write" });
-        let plan = Plan::new(&self.out, &family.id, files)?;
-        place.map_or(Ok(()), |place| plan.carry_out(place))?;
-        timings.stop();
-        let is_done = !self.check || plan.is_empty();
-        if !is_done {
-            plan.differences().for_each(|difference| report.error(&difference, None));
+        let plans = files.iter_mut().map(|(out, files)| Plan::new(out, &family.id, files));
+        let plans = plans.collect::<Result<Vec<Plan<'_>>, Failure>>()?;
+        for plan in &plans {
+            places.and_then(|places| places.get(plan.out())).map_or(Ok(()), |place| plan.carry_out(place))?;
         }
-        let did = if is_done { plan.summary() } else { STALE.to_owned() };
+        timings.stop();
+        let is_done = !self.check || plans.iter().all(Plan::is_empty);
+        if !is_done {
+            plans.iter().flat_map(Plan::differences).for_each(|it| report.error(&it, None));
+        }
+        let did = if is_done { summary(&plans) } else { STALE.to_owned() };
         report.line(&format!("{}: {did}{counts}", path.display()));
         if self.timings {
             report.message(&timings.table(&family.id));
         }
         Ok(if is_done { Outcome::Clean } else { Outcome::Findings })
+    }
+}
+
+impl Order {
+    /// Makes the output folders if need be, and holds them, in an order that is always the same.
+    fn enter(&self, report: &Report) -> Result<BTreeMap<PathBuf, Workplace>, Failure> {
+        let folders = self.folders.all(&self.emitters).into_iter();
+        let enter = |folder: PathBuf| {
+            make_folder(&folder)?;
+            let place = Workplace::enter(&folder, report);
+            Ok((folder, place))
+        };
+        folders.map(enter).collect()
+    }
+
+    /// Compiles a description and makes its outputs.
+    fn make(&self, path: &Path, workers: Workers) -> Made {
+        let mut timings = Timings::start();
+        let enter = &mut |stage: devc::Stage| timings.enter(stage.name());
+        let compilation = devc::compile_with(&Disk, path, &self.request, enter);
+        timings.stop();
+        let files = compilation.family.as_ref().map(|family| self.emit(family, &mut timings, workers));
+        Made { compilation, files, timings }
+    }
+
+    fn emit(
+        &self,
+        family: &Checked<Family>,
+        timings: &mut Timings,
+        workers: Workers,
+    ) -> BTreeMap<PathBuf, Files> {
+        // the last takes longest, so it is begun first
+        let emitters: Vec<&dyn Emitter> = self.emitters.iter().rev().copied().collect();
+        let made = workers.map(&emitters, |emitter| {
+            let start = Instant::now();
+            (emit::emit(family, &[*emitter], &self.options), start.elapsed())
+        });
+        let mut files: BTreeMap<PathBuf, Files> = BTreeMap::new();
+        for (emitter, (made, time)) in emitters.iter().zip(made).rev() {
+            timings.add(emitter.name(), time);
+            files.entry(self.folders.of(*emitter)).or_default().0.extend(made.0);
+        }
+        files
+    }
+}
+
+/// What was done in all folders.
+fn summary(plans: &[Plan<'_>]) -> String {
+    match plans {
+        [] => "no output is wanted".to_owned(),
+        plans => plans.iter().map(Plan::summary).collect::<Vec<_>>().join(", "),
     }
 }
 

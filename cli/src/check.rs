@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use devc::diagnostic::{Diagnostics, render};
 use devc::source::{Disk, Sources};
 use devc::text::characters::line;
-use devc::{Compilation, rules};
+use devc::{Compilation, Request, emit, rules};
 
 use super::baseline::Baseline;
 use super::fix::fix;
@@ -14,10 +14,13 @@ use super::levels::LevelArguments;
 use super::limit::Limit;
 use super::outcome::{Failure, Outcome};
 use super::paths::descriptions;
+use super::project::Project;
 use super::report::{Report, counts, number, verdict};
 use super::workers::Workers;
 
 /// Say what is wrong with descriptions, and write nothing.
+///
+/// What an output cannot hold is said of those that are made without being asked for and of those that `devc.toml` names.
 #[derive(Debug, Args)]
 pub(super) struct Check {
     /// Folders with a `device.toml`, or TOML files [default: every such folder in `devices`].
@@ -62,8 +65,9 @@ enum Format {
 
 impl Check {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
-        let levels = self.levels.levels()?;
-        let compile = |path: &PathBuf| devc::compile_with(&Disk, path, &levels, &mut |_| ());
+        let outputs = emit::lints(Project::here(report)?.checked());
+        let request = Request { levels: self.levels.levels()?, outputs };
+        let compile = |path: &PathBuf| devc::compile_with(&Disk, path, &request, &mut |_| ());
         let paths = descriptions(&self.paths, report)?;
         let mut outcome = Outcome::Clean;
         for path in paths.iter().filter(|_| self.fix) {

@@ -13,6 +13,7 @@ mod existing;
 mod explain;
 mod fix;
 mod fmt;
+mod folders;
 mod git;
 mod import;
 mod init;
@@ -25,6 +26,7 @@ mod names;
 mod new;
 mod outcome;
 mod paths;
+mod project;
 mod report;
 mod rules;
 #[cfg(unix)]

@@ -8,9 +8,10 @@ use devc::source::{Disk, MAIN_FILE, owner};
 use devc::text::characters::line;
 
 use super::outcome::Failure;
+use super::project::root;
 use super::report::Report;
 
-/// The folder that is looked into if no path is given.
+/// The folder that is looked into if no path is given, beside `devc.toml` if there is one.
 const DEVICES: &str = "devices";
 
 /// The given paths as [`files`] has them, but for a file that a description includes the description, which is said.
@@ -34,7 +35,7 @@ pub(super) fn descriptions(given: &[PathBuf], report: &Report) -> Result<Vec<Pat
 /// The given paths, each once; without any, every folder under `devices` that holds a description.
 pub(super) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     if given.is_empty() {
-        return shipped(Path::new(DEVICES));
+        return shipped(&root().unwrap_or_default().join(DEVICES));
     }
     let mut seen = Vec::new();
     let mut paths = Vec::new();

@@ -54,6 +54,11 @@ impl<'a> Plan<'a> {
         Ok(plan)
     }
 
+    /// The output folder.
+    pub(super) fn out(&self) -> &Path {
+        self.out
+    }
+
     /// Whether the folder is as it should be.
     pub(super) fn is_empty(&self) -> bool {
         self.changes.is_empty()

@@ -18,10 +18,12 @@ use std::{env, fmt, fs, io};
 
 use crate::diagnostic::render::{Style, text};
 use crate::diagnostic::{Diagnostic, Level};
-use crate::emit::rust::{Options, module, snake};
+pub use crate::emit::rust::Options;
+use crate::emit::rust::{LINTS, module, snake};
+use crate::lint::Levels;
 use crate::source::{Disk, plain};
 use crate::text::characters::line;
-use crate::{Compilation, compile};
+use crate::{Compilation, Request, compile_with};
 
 /// Writes the Rust of a description to `file` in the folder that Cargo keeps for the build script's outputs, as a
 /// module named after the file.
@@ -32,15 +34,36 @@ use crate::{Compilation, compile};
 /// # Errors
 /// The messages, if the description has errors; or that the file cannot be written, or would lie elsewhere.
 pub fn rust(description: impl AsRef<Path>, file: impl AsRef<Path>) -> Result<(), Failed> {
+    rust_with(description, file, &Options::default())
+}
+
+/// The same with a choice of what is in the module: a master does without the dictionary for a firmware.
+///
+/// ```no_run
+/// use devc::build::{Options, rust_with};
+///
+/// # fn main() -> Result<(), devc::build::Failed> {
+/// rust_with("devices/c887", "c887.rs", &Options { dictionary: false, ..Options::default() })
+/// # }
+/// ```
+///
+/// # Errors
+/// As [`rust`].
+pub fn rust_with(
+    description: impl AsRef<Path>,
+    file: impl AsRef<Path>,
+    options: &Options,
+) -> Result<(), Failed> {
     let (description, file) = (description.as_ref(), file.as_ref());
     let target = target(env::var_os("OUT_DIR").map(PathBuf::from), file)?;
-    let compilation = compile(&Disk, description);
+    let request = Request { levels: Levels::default(), outputs: LINTS.to_vec() };
+    let compilation = compile_with(&Disk, description, &request, &mut |_| ());
     tell_cargo(description, &compilation);
     let Some(family) = &compilation.family else {
         return Err(Failed(messages(&compilation, Level::Error).collect::<Vec<_>>().join("\n\n")));
     };
     let name = file.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
-    let code = module(family, &snake(&name), &Options::default());
+    let code = module(family, &snake(&name), options);
     write_if_changed(&target, &code)
         .map_err(|error| Failed(format!("cannot write `{}`: {error}", target.display())))
 }

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::diagnostic::{Diagnostic, Diagnostics, faults};
+use crate::diagnostic::{Diagnostic, Diagnostics, Rule, faults};
+use crate::emit;
 use crate::lint::{self, Checked, Levels};
 use crate::model::Family;
 use crate::resolve::Resolved;
@@ -50,23 +51,38 @@ impl Stage {
     }
 }
 
+/// What is asked of a description.
+#[derive(Debug, Clone)]
+pub struct Request {
+    /// Levels over those that the description sets.
+    pub levels: Levels,
+    /// The rules of the group `output` that are asked: those of the outputs that are wanted.
+    pub outputs: Vec<&'static Rule>,
+}
+
+/// What is asked where nobody says which outputs are wanted.
+impl Default for Request {
+    fn default() -> Self {
+        Self { levels: Levels::default(), outputs: emit::lints(emit::default()) }
+    }
+}
+
 /// Compiles the description at `path`: a folder with a `device.toml`, or that file.
 ///
 /// A stage runs if the one before left no error; inside a stage everything is reported.
 pub fn compile(loader: &dyn Loader, path: &Path) -> Compilation {
-    compile_with(loader, path, &Levels::default(), &mut |_| ())
+    compile_with(loader, path, &Request::default(), &mut |_| ())
 }
 
-/// Compiles as [`compile`] does, with `levels` over those that the description sets, and tells `enter` each
-/// stage as it begins.
+/// Compiles as [`compile`] does, asks what is requested, and tells `enter` each stage as it begins.
 pub fn compile_with(
     loader: &dyn Loader,
     path: &Path,
-    levels: &Levels,
+    request: &Request,
     enter: &mut dyn FnMut(Stage),
 ) -> Compilation {
     let mut compilation = Compilation::default();
-    compilation.family = stages(loader, path, levels, &mut compilation, enter);
+    compilation.family = stages(loader, path, request, &mut compilation, enter);
     compilation.diagnostics.finish();
     compilation
 }
@@ -74,14 +90,14 @@ pub fn compile_with(
 fn stages(
     loader: &dyn Loader,
     path: &Path,
-    over: &Levels,
+    request: &Request,
     compilation: &mut Compilation,
     enter: &mut dyn FnMut(Stage),
 ) -> Option<Checked<Family>> {
     let (resolved, mut levels) = resolved(loader, path, compilation, enter)?;
-    levels.extend(over);
+    levels.extend(&request.levels);
     enter(Stage::Check);
-    lint::check(resolved, &levels, &compilation.sources, &mut compilation.diagnostics)
+    lint::check(resolved, &levels, &request.outputs, &compilation.sources, &mut compilation.diagnostics)
 }
 
 /// The devices before any rule has seen them, as written and as they hold, with the levels that their description gives

@@ -20,6 +20,8 @@ pub mod import;
 pub mod lint;
 pub mod model;
 mod profiles;
+#[cfg(feature = "cli")]
+pub mod project;
 pub mod raw;
 // some of it only the server for editors asks
 #[cfg(feature = "cli")]
@@ -34,4 +36,4 @@ pub mod text;
 #[cfg_attr(not(feature = "lsp"), allow(dead_code, unused_imports))]
 mod written;
 
-pub use compile::{Compilation, Stage, compile, compile_with};
+pub use compile::{Compilation, Request, Stage, compile, compile_with};

@@ -1,12 +1,23 @@
 //! The standard profiles that devc brings along.
 
+#[cfg(any(feature = "cli", feature = "wireshark"))]
+use crate::diagnostic::Diagnostics;
 use crate::source::Profile;
+#[cfg(any(feature = "cli", feature = "wireshark"))]
+use crate::source::{Sources, Table, read_profile};
 
 /// What `profiles = [..]` can name.
 pub(crate) const ALL: &[Profile] = &[
     Profile { name: "ethercat", text: include_str!("../profiles/ethercat.toml") },
     Profile { name: "cia402", text: include_str!("../profiles/cia402.toml") },
 ];
+
+/// A profile as a tree.
+#[cfg(any(feature = "cli", feature = "wireshark"))]
+pub(crate) fn tree(name: &str) -> Option<Table> {
+    let profile = ALL.iter().find(|profile| profile.name == name)?;
+    Some(read_profile(profile, &mut Sources::default(), &mut Diagnostics::default()))
+}
 
 #[cfg(test)]
 mod tests {

@@ -91,7 +91,8 @@ fn corrected(errata: &str) -> devc::model::Device {
     for group in ["dictionary", "values", "state-machine", "process-data", "facts", "output"] {
         levels.set(group, devc::diagnostic::Level::Allow, None);
     }
-    let compilation = devc::compile_with(&memory, Path::new("example"), &levels, &mut |_| ());
+    let request = devc::Request { levels, ..devc::Request::default() };
+    let compilation = devc::compile_with(&memory, Path::new("example"), &request, &mut |_| ());
     let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
     let family = compilation.family.unwrap_or_else(|| panic!("{messages:?}"));
     family.members[0].clone()

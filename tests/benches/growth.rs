@@ -19,7 +19,6 @@ use std::process::Command;
 use std::time::Instant;
 
 use devc::emit;
-use devc::lint::Levels;
 use devc::source::Memory;
 use measure::{Fallible, instructions, run};
 
@@ -133,9 +132,9 @@ fn stages(shape: Shape, entries: usize) -> Fallible<()> {
     let loader = Memory::new().with("generated/device.toml", shape.description(entries));
     let mut laps = Vec::new();
     let path = Path::new("generated");
-    let levels = Levels::default();
+    let request = devc::Request::default();
     let compilation =
-        devc::compile_with(&loader, path, &levels, &mut |stage| stage_begins(&mut laps, stage.name()));
+        devc::compile_with(&loader, path, &request, &mut |stage| stage_begins(&mut laps, stage.name()));
     let Some(family) = compilation.family else {
         let messages: Vec<_> = compilation.diagnostics.iter().take(3).map(|it| &it.message).collect();
         return Err(format!("the description has errors: {messages:?}").into());

@@ -4,9 +4,13 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
 
-use devc::Compilation;
+use devc::diagnostic::Rule;
+use devc::project::PROJECT_FILE;
+use devc::source::Disk;
+use devc::{Compilation, emit, project};
 
 use super::overlay::Overlay;
+use crate::project::{Project, root};
 
 /// A description to compile.
 pub(super) struct Job {
@@ -25,9 +29,17 @@ pub(super) struct Compiled {
 
 impl Job {
     pub(super) fn run(self) -> Compiled {
-        let compilation = devc::compile(&self.overlay, &self.main);
+        let request = devc::Request { outputs: wanted(), ..devc::Request::default() };
+        let compilation = devc::compile_with(&self.overlay, &self.main, &request, &mut |_| ());
         Compiled { compilation, main: self.main, versions: self.versions }
     }
+}
+
+/// What is asked for the outputs of the project that the server runs in.
+fn wanted() -> Vec<&'static Rule> {
+    let read = root().map(|root| project::read(&Disk, &root.join(PROJECT_FILE)));
+    let outputs = read.map(|read| read.outputs).unwrap_or_default();
+    emit::lints(Project { outputs, ..Project::default() }.checked())
 }
 
 /// Does one job after the other and tells what came of it, as long as there are jobs and somebody listens.

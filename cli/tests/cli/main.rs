@@ -6,6 +6,7 @@ mod arguments;
 #[cfg(unix)]
 mod at_once;
 mod authoring;
+mod book;
 mod explain;
 mod findings;
 mod fixes;
@@ -23,6 +24,7 @@ mod odd_files;
 mod outputs;
 #[cfg(unix)]
 mod outside;
+mod project;
 #[cfg(unix)]
 mod runs;
 mod trouble;
@@ -124,8 +126,17 @@ impl Desk {
         self.finish(Command::new("sh").arg("-c").arg(script).arg("sh").arg(env!("CARGO_BIN_EXE_devc")))
     }
 
+    /// Runs devc in a folder of the folder.
+    fn devc_in(&self, folder: &str, arguments: &[&str]) -> Run {
+        Self::spawn(self.command(arguments).current_dir(self.path(folder)))
+    }
+
     fn finish(&self, command: &mut Command) -> Run {
-        let command = command.current_dir(self.folder.path()).env_remove("NO_COLOR").stdin(Stdio::null());
+        Self::spawn(command.current_dir(self.folder.path()))
+    }
+
+    fn spawn(command: &mut Command) -> Run {
+        let command = command.env_remove("NO_COLOR").stdin(Stdio::null());
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         Run::of(command.spawn().expect("devc runs"))
     }

@@ -22,10 +22,11 @@ use syn::ext::IdentExt;
 
 use crate::diagnostic::render::{Style, text};
 use crate::diagnostic::{Diagnostic, Level};
-use crate::emit::rust::{Options, identity, member};
+use crate::emit::rust::{LINTS, Options, identity, member};
+use crate::lint::Levels;
 use crate::model::{Device, Family};
 use crate::source::Loader;
-use crate::{Compilation, compile};
+use crate::{Compilation, Request, compile_with};
 use beneath::Beneath;
 use input::Input;
 pub use own_pdo::own_pdo;
@@ -44,7 +45,8 @@ pub fn expand(input: TokenStream, root: &Path, loader: &dyn Loader) -> TokenStre
 }
 
 fn expand_input(input: &Input, root: &Path, loader: &dyn Loader) -> TokenStream {
-    let compilation = compile(&Beneath { root, loader }, Path::new(&input.path));
+    let request = Request { levels: Levels::default(), outputs: LINTS.to_vec() };
+    let compilation = compile_with(&Beneath { root, loader }, Path::new(&input.path), &request, &mut |_| ());
     let files = tracked(root, &compilation);
     let content = match &compilation.family {
         Some(family) => choose(input, family).map(|device| module(input, device)),
@@ -76,7 +78,8 @@ fn choose<'f>(input: &Input, family: &'f Family) -> Result<&'f Device, TokenStre
 
 fn module(input: &Input, device: &Device) -> TokenStream {
     let (name, module, runtime) = (&input.name, &input.module, &input.runtime);
-    let options = Options { runtime: runtime.clone(), device: Some(name.clone()) };
+    let options =
+        Options { runtime: runtime.clone(), device: Some(name.clone()), dictionary: input.dictionary };
     let (identity, content) = (identity(device, name, &quote!(#runtime::Device)), member(device, &options));
     quote! {
         #identity

@@ -92,7 +92,7 @@ fn family(document: &Document, sources: &Sources, id: &str) -> Result<Checked<Fa
     let resolved = resolve::resolve(id, members, &mut diagnostics);
     let mut levels = Levels::default();
     lint::ALL.iter().for_each(|lint| levels.set(lint.rule.name, Level::Allow, None));
-    resolved.and_then(|it| check(it, &levels, sources, &mut diagnostics)).ok_or(diagnostics)
+    resolved.and_then(|it| check(it, &levels, &[], sources, &mut diagnostics)).ok_or(diagnostics)
 }
 
 /// The description with the mark at the end of each text that can be any: those that are left when all are taken out
@@ -175,7 +175,7 @@ fn no_output_holds_a_hazard() {
 /// What an output consists of, whatever its texts say.
 fn skeleton(name: &str, text: &str) -> Vec<String> {
     match name.rsplit('.').next() {
-        Some("xml") => elements(text),
+        Some("xml" | "lcec") => elements(text),
         Some("json") => {
             let mut names = Vec::new();
             members(&serde_json::from_str(text).expect("JSON"), &mut names);
@@ -184,7 +184,9 @@ fn skeleton(name: &str, text: &str) -> Vec<String> {
         Some("html") => tags(text),
         Some("rs") => tokens(text.parse().expect("Rust")),
         Some("h" | "c") => program(text, ("/*", "*/")),
+        Some("lua") => program(text, ("--", "\n")),
         Some("py") => program(text, ("#", "\n")),
+        Some("yaml") => program(text, ("#", "\n")),
         Some("eds") => sheet(text),
         _ => {
             let mut fenced = false;

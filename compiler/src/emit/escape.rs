@@ -23,7 +23,7 @@ pub(super) fn prose(text: &str) -> String {
 }
 
 /// A text as a comment of XML or HTML can hold it: two hyphens would end it, so a space parts them.
-#[cfg(any(feature = "esi", feature = "markdown"))]
+#[cfg(any(feature = "esi", feature = "lcec", feature = "markdown"))]
 pub(super) fn comment(text: &str) -> String {
     let mut parted = String::with_capacity(text.len());
     for c in text.chars() {

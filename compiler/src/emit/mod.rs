@@ -14,11 +14,15 @@ mod escape;
 pub mod esi;
 #[cfg(feature = "html")]
 pub mod html;
+#[cfg(feature = "icube")]
+pub mod icube;
 mod identifier;
 #[cfg(feature = "igh")]
 pub mod igh;
 #[cfg(feature = "json")]
 pub mod json;
+#[cfg(feature = "lcec")]
+pub mod lcec;
 #[cfg(feature = "markdown")]
 pub mod markdown;
 #[cfg(feature = "program")]
@@ -34,9 +38,12 @@ mod skeleton;
 mod steps;
 #[cfg(feature = "template")]
 mod template;
+#[cfg(feature = "wireshark")]
+pub mod wireshark;
 
 use std::collections::BTreeMap;
 
+use crate::diagnostic::Rule;
 use crate::lint::Checked;
 use crate::model::Family;
 
@@ -52,6 +59,9 @@ pub trait Emitter: Sync {
     /// an end, so that they do not share a file.
     fn ends(&self) -> &'static [&'static str];
 
+    /// The rules of the group `output` that say what it cannot hold. They are asked where it is wanted.
+    fn lints(&self) -> &'static [&'static Rule];
+
     /// Whether it is made where nobody says which outputs are wanted.
     fn is_default(&self) -> bool;
 
@@ -65,11 +75,13 @@ pub struct Options {
     /// Whether a reference for people shows how sure facts are: errata, remarks, assumptions, and marks beside what no
     /// source states. A vendor's customers may do without.
     pub editorial: bool,
+    /// Whether Rust has the dictionary for a firmware. Masters do without.
+    pub dictionary: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { editorial: true }
+        Self { editorial: true, dictionary: true }
     }
 }
 
@@ -89,13 +101,51 @@ pub static ALL: &[&dyn Emitter] = &[
     &c::C,
     #[cfg(feature = "igh")]
     &igh::Igh,
+    #[cfg(feature = "lcec")]
+    &lcec::Lcec,
+    #[cfg(feature = "icube")]
+    &icube::Icube,
     #[cfg(feature = "python")]
     &python::Python,
     #[cfg(feature = "eds")]
     &eds::Eds,
+    #[cfg(feature = "wireshark")]
+    &wireshark::Wireshark,
     #[cfg(feature = "rust")]
     &rust::Rust,
 ];
+
+/// The word for the outputs that are made where nobody says which are wanted, and that for every one.
+pub const DEFAULT: &str = "default";
+/// See [`DEFAULT`].
+pub const EVERY: &str = "all";
+
+/// The names of all outputs.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    ALL.iter().map(|emitter| emitter.name())
+}
+
+/// The outputs that these names and words mean, in the order of the list.
+pub fn wanted<'w>(words: impl IntoIterator<Item = &'w str> + Clone) -> Vec<&'static dyn Emitter> {
+    let is_meant = |emitter: &&&dyn Emitter| {
+        words.clone().into_iter().any(|word| match word {
+            DEFAULT => emitter.is_default(),
+            EVERY => true,
+            name => name == emitter.name(),
+        })
+    };
+    ALL.iter().filter(is_meant).copied().collect()
+}
+
+/// The outputs that are made where nobody says which are wanted.
+pub fn default() -> impl Iterator<Item = &'static dyn Emitter> {
+    ALL.iter().copied().filter(|emitter| emitter.is_default())
+}
+
+/// What is asked for these outputs.
+pub fn lints(emitters: impl IntoIterator<Item = &'static dyn Emitter>) -> Vec<&'static Rule> {
+    emitters.into_iter().flat_map(|emitter| emitter.lints()).copied().collect()
+}
 
 /// Files by name, in the folder of the family.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -122,6 +172,18 @@ pub fn emit(family: &Checked<Family>, emitters: &[&dyn Emitter], options: &Optio
 #[cfg(test)]
 mod tests {
     use super::ALL;
+    use crate::diagnostic::{Group, Rule};
+    use crate::lint;
+
+    #[test]
+    #[cfg(feature = "cli")]
+    fn each_rule_about_outputs_is_asked_for_one_and_no_other_is() {
+        let asked = super::lints(ALL.iter().copied());
+        let is_asked = |rule: &Rule| asked.iter().any(|asked| asked.name == rule.name);
+        for lint in lint::ALL {
+            assert_eq!(is_asked(lint.rule), lint.rule.group == Group::Output, "{}", lint.rule.name);
+        }
+    }
 
     #[test]
     fn no_two_outputs_share_a_file() {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::report::Finding;
-use super::rules::{idle_erratum, unknown_rule, unmended_erratum};
+use super::rules::{ALL, idle_erratum, unknown_rule, unmended_erratum};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Device, Erratum, Place};
 use crate::source::Location;
@@ -11,11 +11,18 @@ use crate::source::Location;
 /// The errata of a family, each known by its place, since its members share them.
 #[derive(Debug, Default)]
 pub(super) struct Errata {
+    /// The rules that are asked.
+    asked: BTreeSet<&'static str>,
     answering: BTreeSet<Location>,
     idle: BTreeMap<Location, Diagnostic>,
 }
 
 impl Errata {
+    /// None yet, where these rules are asked.
+    pub(super) fn asking(rules: impl IntoIterator<Item = &'static str>) -> Self {
+        Self { asked: rules.into_iter().collect(), ..Self::default() }
+    }
+
     /// Takes out the findings about a member that its errata answer.
     pub(super) fn apply(&mut self, device: &Device, findings: &mut Vec<Finding>) {
         // of two with the same answer, the first gives it
@@ -38,7 +45,11 @@ impl Errata {
     /// Makes the messages about the errata that answer nothing about a member.
     fn note_idle(&mut self, device: &Device, findings: &[Finding], answering: &BTreeSet<Location>) {
         let is_idle = |erratum: &&Erratum| !answering.contains(&erratum.origin.header());
-        let mut idle = device.errata.iter().filter(is_idle).peekable();
+        // a rule that nobody asked may have found what the erratum answers
+        let is_asked = |erratum: &&Erratum| {
+            self.asked.contains(&*erratum.rule) || !ALL.iter().any(|lint| lint.rule.name == erratum.rule)
+        };
+        let mut idle = device.errata.iter().filter(is_asked).filter(is_idle).peekable();
         if idle.peek().is_none() {
             return;
         }
@@ -56,7 +67,7 @@ impl Errata {
 
     /// A message for each erratum that answers nothing about any member.
     pub(super) fn idle(self) -> impl Iterator<Item = Diagnostic> {
-        let Self { answering, idle } = self;
+        let Self { answering, idle, .. } = self;
         idle.into_iter().filter(move |(at, _)| !answering.contains(at)).map(|(_, diagnostic)| diagnostic)
     }
 }

@@ -6,7 +6,7 @@ mod images;
 mod levels;
 mod lookup;
 mod report;
-mod rules;
+pub(crate) mod rules;
 mod sibling;
 #[cfg(test)]
 mod tests;
@@ -21,7 +21,7 @@ use report::Finding;
 
 pub(crate) use report::Report;
 
-use crate::diagnostic::{Diagnostics, Rule};
+use crate::diagnostic::{Diagnostics, Group, Rule};
 use crate::model::{Device, Family};
 use crate::resolve::Resolved;
 use crate::source::Sources;
@@ -36,14 +36,20 @@ pub struct Lint {
 /// Runs every rule on every member; the family comes back as checked, as it holds, if none of them refuses it.
 ///
 /// Rules judge what is written. Errata take out what they answer, then levels decide how bad the rest is. What holds
-/// instead is judged, too: it must not have the fault that it answers, nor another.
+/// instead is judged, too: it must not have the fault that it answers, nor another. Of the rules about outputs, only those
+/// of `outputs` are asked.
 pub(crate) fn check(
     resolved: Resolved,
     levels: &Levels,
+    outputs: &[&Rule],
     sources: &Sources,
     diagnostics: &mut Diagnostics,
 ) -> Option<Checked<Family>> {
-    run(ALL, &resolved, levels, sources, diagnostics);
+    let is_asked = |lint: &&Lint| {
+        let named = || outputs.iter().any(|rule| rule.name == lint.rule.name);
+        lint.rule.group != Group::Output || named()
+    };
+    run(ALL.iter().filter(is_asked), &resolved, levels, sources, diagnostics);
     let Resolved { printed, held } = resolved;
     (!diagnostics.has_errors()).then(|| Checked(held.unwrap_or(printed)))
 }
@@ -56,7 +62,7 @@ fn run<'l>(
     sources: &Sources,
     diagnostics: &mut Diagnostics,
 ) {
-    let mut errata = Errata::default();
+    let mut errata = Errata::asking(rules.clone().into_iter().map(|lint| lint.rule.name));
     let mut messages = Vec::new();
     let (mut of_printed, mut of_held) = (Report::new(sources), Report::new(sources));
     for (i, device) in resolved.printed.members.iter().enumerate() {

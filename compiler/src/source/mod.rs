@@ -21,7 +21,7 @@ mod settings;
 mod tests;
 mod tree;
 
-#[cfg(feature = "cli")]
+#[cfg(any(feature = "cli", feature = "wireshark"))]
 pub(crate) use load::read_profile;
 pub use load::{Document, MAIN_FILE, Profile, load};
 pub use loader::{Disk, Loader, MAX_SIZE, Memory, Opened};

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use devc::Compilation;
 use devc::diagnostic::render::{Style, text};
+use devc::lint;
 use devc::source::Memory;
 
 /// What every example is completed with, unless it brings its own.
@@ -53,24 +54,27 @@ pub(crate) fn files(example: &str) -> Vec<(String, String)> {
     files
 }
 
-/// What devc says of an example.
-pub(crate) fn compiled(example: &str) -> Compilation {
+/// What devc says of an example for a rule, which is asked even if it is about an output that is not made of itself.
+pub(crate) fn compiled(of: &str, example: &str) -> Compilation {
     let memory = files(example).into_iter().fold(Memory::default(), |memory, (name, text)| {
         memory.with(Path::new("example").join(name), text.into_bytes())
     });
-    devc::compile(&memory, Path::new("example"))
+    let mut outputs = devc::emit::lints(devc::emit::default());
+    outputs.extend(lint::ALL.iter().map(|lint| lint.rule).filter(|rule| rule.name == of));
+    let request = devc::Request { outputs, ..devc::Request::default() };
+    devc::compile_with(&memory, Path::new("example"), &request, &mut |_| ())
 }
 
 /// The rules that fire on an example.
-pub(crate) fn fired(example: &str) -> Vec<&'static str> {
-    let diagnostics = compiled(example).diagnostics;
+pub(crate) fn fired(of: &str, example: &str) -> Vec<&'static str> {
+    let diagnostics = compiled(of, example).diagnostics;
     let mut names: Vec<&str> = diagnostics.iter().map(|diagnostic| diagnostic.rule.name).collect();
     names.dedup();
     names
 }
 
 /// The messages about an example as people read them.
-pub(crate) fn messages(example: &str) -> Vec<String> {
-    let Compilation { diagnostics, sources, .. } = compiled(example);
+pub(crate) fn messages(of: &str, example: &str) -> Vec<String> {
+    let Compilation { diagnostics, sources, .. } = compiled(of, example);
     diagnostics.iter().map(|diagnostic| text(diagnostic, &sources, Style::Plain)).collect()
 }

@@ -25,7 +25,7 @@ fn examples_hold() {
             match example(rule.docs, heading) {
                 None => wrong.push(format!("{}: no example under `## {heading}`", rule.name)),
                 Some(example) => {
-                    let fired = fired(example);
+                    let fired = fired(rule.name, example);
                     if fired != expected {
                         wrong.push(format!("{}: {heading} gives {fired:?}", rule.name));
                     }

@@ -12,7 +12,8 @@ fn messages_are_as_reviewed() {
     for group in Group::ALL {
         let mut members: Vec<&Rule> = rules().filter(|rule| rule.group == group).collect();
         members.sort_unstable_by_key(|rule| rule.name);
-        let messages = members.iter().filter_map(|rule| example(rule.docs, "Fires")).flat_map(messages);
+        let examples = members.iter().filter_map(|rule| Some((rule.name, example(rule.docs, "Fires")?)));
+        let messages = examples.flat_map(|(rule, example)| messages(rule, example));
         snapshot(group.name(), &messages.collect::<Vec<_>>().join("\n\n"));
     }
 }
@@ -32,7 +33,7 @@ fn places(rule: &str, example: &str) -> Option<String> {
     let erratum = format!("rule = \"{rule}\"\nat = \"device\"\nsays = {{}}\nwhy = \"-\"\n");
     let (main, others) = example.split_once(" # file: ").unwrap_or((example, ""));
     let others = if others.is_empty() { String::new() } else { format!("# file: {others}") };
-    let compilation = compiled(&format!("{main}\n[[errata]]\n{erratum}{others}"));
+    let compilation = compiled(rule, &format!("{main}\n[[errata]]\n{erratum}{others}"));
     let idle = compilation.diagnostics.iter().find(|diagnostic| diagnostic.rule.name == "idle-erratum")?;
     let help = idle.helps.first()?;
     help.text.strip_prefix("it finds something at ").map(str::to_owned)

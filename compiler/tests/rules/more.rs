@@ -32,8 +32,8 @@ fn cases(text: &str) -> impl Iterator<Item = Case<'_>> {
 
 /// Why a case does not hold, if it does not.
 fn fault(Case { rule, description, said }: &Case<'_>) -> Option<String> {
-    let found: Vec<&str> = compiled(description).diagnostics.iter().map(|it| it.rule.name).collect();
-    let messages = messages(description);
+    let found: Vec<&str> = compiled(rule, description).diagnostics.iter().map(|it| it.rule.name).collect();
+    let messages = messages(rule, description);
     let holds = found.len() == said.len()
         && found.iter().all(|name| name == rule)
         && messages.iter().zip(said).all(|(message, said)| said.iter().all(|text| message.contains(text)));

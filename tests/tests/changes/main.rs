@@ -27,7 +27,8 @@ fn family(description: &Table) -> Checked<Family> {
     let memory = Memory::default().with("example/device.toml", text.into_bytes());
     let mut levels = Levels::default();
     Group::ALL.iter().for_each(|group| levels.set(group.name(), Level::Allow, None));
-    let compilation = devc::compile_with(&memory, Path::new("example"), &levels, &mut |_| ());
+    let request = devc::Request { levels, ..devc::Request::default() };
+    let compilation = devc::compile_with(&memory, Path::new("example"), &request, &mut |_| ());
     let messages: Vec<_> = compilation.diagnostics.iter().map(|one| one.message.clone()).collect();
     compilation.family.unwrap_or_else(|| panic!("{messages:#?}"))
 }

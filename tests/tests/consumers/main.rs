@@ -10,7 +10,11 @@
 mod c;
 mod eds;
 mod expected;
+mod icube;
 mod igh;
+mod lcec;
 mod model;
 mod python;
 mod tools;
+mod ways;
+mod wireshark;

@@ -21,11 +21,13 @@ pub(crate) struct Record {
 pub(crate) struct Field {
     /// Its name, behind that of its PDO in an image.
     pub(crate) path: String,
+    /// What is mapped: index and subindex.
+    pub(crate) address: (usize, usize),
     pub(crate) offset: usize,
     pub(crate) bits: usize,
     pub(crate) data_type: String,
     /// Whether it is a word of bits, which have no sign whatever their type is called.
-    is_word: bool,
+    pub(crate) is_word: bool,
 }
 
 /// How a field is printed.
@@ -113,6 +115,7 @@ fn pdo(member: &Json, pdo: &Json, prefix: &str, keywords: &[&str]) -> Record {
     let way = text(pdo, "direction");
     let fields = list(pdo, "entries").iter().filter(|entry| !entry["address"].is_null()).map(|entry| Field {
         path: name(text(entry, "id"), keywords),
+        address: (number(&entry["address"], "index"), number(&entry["address"], "subindex")),
         offset: number(entry, "offset"),
         bits: number(entry, "bits"),
         data_type: entry["data_type"].as_str().unwrap_or_default().to_owned(),
@@ -122,14 +125,18 @@ fn pdo(member: &Json, pdo: &Json, prefix: &str, keywords: &[&str]) -> Record {
     Record { name: format!("{prefix}{way}_{:04x}", number(pdo, "index")), bits, fields: fields.collect() }
 }
 
-/// Whether an address is that of a word, which stands once for all axes.
 fn is_word(member: &Json, address: &Json) -> bool {
+    word(member, address).is_some()
+}
+
+/// The word at an address; it stands once for all axes.
+pub(crate) fn word<'j>(member: &'j Json, address: &Json) -> Option<&'j Json> {
     let object = list(member, "objects").iter().find(|object| object["index"] == address["index"]);
     let leading = object.map_or(&address["index"], |object| &object["leading"]);
-    let same = |word: &Json| {
+    let same = |word: &&Json| {
         word["address"]["index"] == *leading && word["address"]["subindex"] == address["subindex"]
     };
-    list(member, "words").iter().any(same)
+    list(member, "words").iter().find(same)
 }
 
 /// PDOs one behind the other, bit by bit; none if there are none.
@@ -187,7 +194,7 @@ fn get(bytes: &[u8], bit: usize) -> bool {
     (bytes[bit / 8] >> (bit % 8)) & 1 == 1
 }
 
-fn set(bytes: &mut [u8], bit: usize, value: bool) {
+pub(crate) fn set(bytes: &mut [u8], bit: usize, value: bool) {
     let mask = 1 << (bit % 8);
     let others = bytes[bit / 8] & !mask;
     bytes[bit / 8] = if value { others | mask } else { others };

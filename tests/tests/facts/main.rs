@@ -39,7 +39,8 @@ fn levels() -> Levels {
 fn outcome(description: &Table) -> Outcome {
     let text = toml::to_string(description).expect("a table is TOML");
     let memory = Memory::default().with("example/device.toml", text.into_bytes());
-    let compilation = devc::compile_with(&memory, Path::new("example"), &levels(), &mut |_| ());
+    let request = devc::Request { levels: levels(), ..devc::Request::default() };
+    let compilation = devc::compile_with(&memory, Path::new("example"), &request, &mut |_| ());
     let model = compilation.family.as_ref().map(|family| {
         let json: &[&dyn Emitter] = &[&emit::json::Json];
         let files = emit::emit(family, json, &emit::Options::default());

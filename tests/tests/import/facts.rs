@@ -70,6 +70,8 @@ pub(crate) fn of(device: Node<'_, '_>) -> Facts {
         facts.number("eeprom/size", text_in(eeprom, "ByteSize"), &at);
         let config = text_in(eeprom, "ConfigData").map(|it| it.to_uppercase());
         facts.text("eeprom/config", config.filter(|it| !it.is_empty()), &at);
+        let boot = text_in(eeprom, "BootStrap").map(|it| it.to_uppercase());
+        facts.text("eeprom/bootstrap", boot.filter(|it| !it.is_empty()), &at);
     }
     super::objects::dictionary(device, &mut facts);
     messages(device, &mut facts);

@@ -12,7 +12,6 @@ mod hostile;
 mod kinds;
 mod languages;
 mod modules;
-mod mutated;
 mod objects;
 mod round_trip;
 mod sdos;

@@ -62,7 +62,8 @@ fn outputs(description: &Table) -> Outputs {
     let memory = Memory::default().with("example/device.toml", text.into_bytes());
     let mut levels = Levels::default();
     Group::ALL.iter().for_each(|group| levels.set(group.name(), Level::Allow, None));
-    let compilation = devc::compile_with(&memory, Path::new("example"), &levels, &mut |_| ());
+    let request = devc::Request { levels, ..devc::Request::default() };
+    let compilation = devc::compile_with(&memory, Path::new("example"), &request, &mut |_| ());
     let Some(family) = &compilation.family else {
         let messages: Vec<_> = compilation.diagnostics.iter().map(|one| one.message.clone()).collect();
         panic!("{messages:#?}");

@@ -22,13 +22,24 @@ pub(crate) fn run<R, F: Future<Output = R>>(
     event: impl Fn(&mut Drive),
     master: impl FnOnce(&'static Master) -> F,
 ) -> R {
+    traced(device, event, |_| (), master)
+}
+
+/// As [`run`]; a trace gets each frame as it goes and as it comes.
+pub(crate) fn traced<R, F: Future<Output = R>>(
+    device: &Device,
+    event: impl Fn(&mut Drive),
+    mut trace: impl FnMut([&[u8]; 2]),
+    master: impl FnOnce(&'static Master) -> F,
+) -> R {
     let storage: &'static PduStorage<16, 1100> = Box::leak(Box::new(PduStorage::new()));
     let (to_wire, from_wire, frames) = storage.try_split().expect("once");
     let config = MainDeviceConfig { dc_static_sync_iterations: 10, ..MainDeviceConfig::default() };
     let maindevice = Box::leak(Box::new(MainDevice::new(frames, patient(Duration::from_secs(60)), config)));
     let image = devc::sii::image_of_any_size(device, &[0; 6]);
     let mut wire = Wire::new(vec![Subdevice::new(Drive::new(model(device)), image)]);
-    let carried = carry(to_wire, from_wire, &mut wire, |wire| {
+    let carried = carry(to_wire, from_wire, &mut wire, |wire, frames| {
+        trace(frames);
         event(&mut wire.subdevices_mut()[0].firmware);
         wire.advance(Duration::from_millis(1));
     });

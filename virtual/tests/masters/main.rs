@@ -9,3 +9,4 @@ mod motion;
 mod session;
 #[path = "../shared/mod.rs"]
 mod shared;
+mod wireshark;

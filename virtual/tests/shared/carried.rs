@@ -18,12 +18,12 @@ pub(crate) fn patient(long: Duration) -> Timeouts {
     }
 }
 
-/// Takes each frame through the wire and back; `passed` is what happens after each. It goes on for as long as it is asked.
+/// Takes each frame through the wire and back; `passed` is what happens after each, which it sees as it went and as it came. It goes on for as long as it is asked.
 pub(crate) async fn carry<F: Firmware, R>(
     mut to_wire: PduTx<'_>,
     mut from_wire: PduRx<'_>,
     wire: &mut Wire<F>,
-    mut passed: impl FnMut(&mut Wire<F>),
+    mut passed: impl FnMut(&mut Wire<F>, [&[u8]; 2]),
 ) -> R {
     loop {
         while let Some(sendable) = to_wire.next_sendable_frame() {
@@ -33,9 +33,10 @@ pub(crate) async fn carry<F: Firmware, R>(
                 Ok(bytes.len())
             });
             assert_eq!(sent, Ok(frame.len()));
+            let gone = frame.clone();
             assert!(wire.pass(&mut frame));
             from_wire.receive_frame(&frame).expect("it is taken");
-            passed(wire);
+            passed(wire, [&gone, &frame]);
         }
         future::yield_now().await;
     }

@@ -24,7 +24,7 @@ fn run<R, F: Future<Output = R>>(
     let config = MainDeviceConfig { dc_static_sync_iterations: 100, ..MainDeviceConfig::default() };
     let maindevice = Box::leak(Box::new(MainDevice::new(pdu_loop, patient(Duration::from_secs(20)), config)));
     let mut wire: Wire<Any> = Wire::new(subdevices);
-    let carried = carry(to_wire, from_wire, &mut wire, |wire| wire.advance(Duration::from_micros(100)));
+    let carried = carry(to_wire, from_wire, &mut wire, |wire, _| wire.advance(Duration::from_micros(100)));
     future::block_on(future::or(async { master(maindevice).await }, carried))
 }
 

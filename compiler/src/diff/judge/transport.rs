@@ -75,7 +75,7 @@ pub(super) fn current(versions: Versions<'_>) -> &'static Kind {
 
 pub(super) fn eeprom(field: &str) -> &'static Kind {
     match field {
-        "config_data" => &kinds::CHANGED_HARDWARE,
+        "config_data" | "bootstrap" => &kinds::CHANGED_HARDWARE,
         _ => &kinds::CHANGED_TEXT,
     }
 }

@@ -11,12 +11,16 @@ use minijinja::value::Serde;
 
 use super::program::Program;
 use super::{Emitter, Files, Options, template};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::{Device, Family};
 
 /// Makes headers of C.
 #[derive(Debug)]
 pub struct C;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::clashing_identifier::RULE, &rules::empty_name::RULE];
 
 impl Emitter for C {
     fn name(&self) -> &'static str {
@@ -29,6 +33,10 @@ impl Emitter for C {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".h"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

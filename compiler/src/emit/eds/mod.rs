@@ -10,13 +10,17 @@ use std::fmt::Write;
 
 use super::escape::prose;
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::{Device, Direction, Family, Index};
 use crate::text::characters::harmless;
 
 /// Makes electronic data sheets.
 #[derive(Debug)]
 pub struct Eds;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::empty_name::RULE];
 
 impl Emitter for Eds {
     fn name(&self) -> &'static str {
@@ -29,6 +33,10 @@ impl Emitter for Eds {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".eds"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

@@ -30,7 +30,8 @@ mod vendor;
 
 use self::element::Element;
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::Family;
 
 /// Makes ESI XML.
@@ -39,6 +40,26 @@ pub struct Esi;
 
 /// The newest schema whose every element all readers in use know.
 const SCHEMA: &str = "1.14";
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[
+    &rules::contradicted_config_data::RULE,
+    &rules::contradicted_period::RULE,
+    &rules::empty_name::RULE,
+    &rules::impossible_boot_mailbox::RULE,
+    &rules::impossible_eeprom_size::RULE,
+    &rules::incomplete_timeouts::RULE,
+    &rules::indistinct_members::RULE,
+    &rules::missing_config_data::RULE,
+    &rules::mixed_vendors::RULE,
+    &rules::overlong_name::RULE,
+    &rules::replaced_revision::RULE,
+    &rules::undersized_eeprom::RULE,
+    &rules::uneven_slots::RULE,
+    &rules::unlike_slots::RULE,
+    &rules::unslotted_axis::RULE,
+    &rules::unspoken_ability::RULE,
+];
 
 impl Emitter for Esi {
     fn name(&self) -> &'static str {
@@ -51,6 +72,10 @@ impl Emitter for Esi {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".xml"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

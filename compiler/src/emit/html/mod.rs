@@ -3,18 +3,24 @@
 //! What is to be read is the reference as the Markdown has it, and stays readable without script. The script is given facts as
 //! data, and puts them on the page as text only. Nothing is loaded, and the policy of the page forbids it.
 
+mod abort;
+mod blocks;
 mod data;
 mod document;
 mod figure;
-mod ways;
+mod sequences;
 
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::Family;
 
 /// The emitter of the page.
 #[derive(Debug)]
 pub struct Html;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::empty_name::RULE];
 
 impl Emitter for Html {
     fn name(&self) -> &'static str {
@@ -27,6 +33,10 @@ impl Emitter for Html {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".html"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

@@ -3,18 +3,20 @@
 //! The master writes assignment and mapping by itself, so these are not among the SDOs. It writes SDOs in Pre-Operational
 //! only: what a configuration writes during a later change of state is not here, and a comment says so.
 
-mod setup;
-
 use minijinja::context;
 use minijinja::value::Serde;
 
 use super::{Emitter, Files, Options, c, program, template};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::{Device, Family};
 
 /// Makes C for the EtherLab master.
 #[derive(Debug)]
 pub struct Igh;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::clashing_identifier::RULE, &rules::empty_name::RULE];
 
 impl Emitter for Igh {
     fn name(&self) -> &'static str {
@@ -29,6 +31,10 @@ impl Emitter for Igh {
         &[".igh.c"]
     }
 
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
+    }
+
     fn is_default(&self) -> bool {
         false
     }
@@ -40,7 +46,7 @@ impl Emitter for Igh {
 }
 
 fn tables(device: &Device, family: &str) -> String {
-    let setups = setup::setups(device);
+    let setups = program::setups(device);
     let it = program::Program::of(device, family, &[]);
     let has_places = device.sync_managers.iter().any(|manager| manager.role.is_process_data());
     let context = context! { it => Serde(&it), setups => Serde(setups), has_places };

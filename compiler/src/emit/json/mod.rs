@@ -10,6 +10,7 @@ mod schema;
 use serde::Serialize;
 
 use super::{Emitter, Files, Options};
+use crate::diagnostic::Rule;
 use crate::lint::Checked;
 use crate::model::Family;
 use crate::text::characters::json;
@@ -55,6 +56,10 @@ impl Emitter for Json {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".json"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        &[]
     }
 
     fn is_default(&self) -> bool {

@@ -7,29 +7,41 @@ mod chapters;
 mod context;
 mod document;
 mod family;
+mod holds;
 mod inline;
 mod machine;
 mod number;
 mod page;
+mod picture;
 mod table;
 
 #[cfg(feature = "html")]
 pub(super) use document::{body, front};
+#[cfg(feature = "html")]
+pub(super) use holds::{Form, Holds};
 #[cfg(feature = "diff")]
 pub(crate) use inline::text as escaped;
 #[cfg(feature = "html")]
-pub(super) use machine::{Arrow, Machine};
+pub(super) use machine::{Arrow, Label, Machine, Node};
 #[cfg(feature = "html")]
 pub(super) use page::{Block, Heading, Page};
+#[cfg(feature = "html")]
+pub(super) use picture::{Area, Light, Part, Picture};
+#[cfg(feature = "html")]
+pub(super) use table::{Row, Table};
 
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::Family;
 use crate::text::characters::harmless;
 
 /// The emitter of the reference.
 #[derive(Debug)]
 pub struct Markdown;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::empty_name::RULE];
 
 impl Emitter for Markdown {
     fn name(&self) -> &'static str {
@@ -42,6 +54,10 @@ impl Emitter for Markdown {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".md"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

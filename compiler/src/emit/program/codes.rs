@@ -23,6 +23,9 @@ pub(in crate::emit) type Mode = Named;
 /// A word made of bits.
 #[derive(Debug, Serialize)]
 pub(in crate::emit) struct Word {
+    /// The id of the word, and the mode that gives its bits a meaning if it is not always the same.
+    pub(in crate::emit) id: String,
+    pub(in crate::emit) mode: Option<i16>,
     pub(in crate::emit) name: String,
     pub(in crate::emit) title: String,
     pub(in crate::emit) bits: u32,
@@ -81,7 +84,8 @@ pub(super) fn words(device: &Device, names: &mut Names) -> Vec<Word> {
     let mut words: Vec<Word> = Vec::new();
     for word in &device.words {
         let (name, title) = (siblings.claim(&word.id), prose(&word.name));
-        words.push(Word { name, title, bits: word.bits, fields: fields(&word.id, &word.fields, names) });
+        let fields = fields(&word.id, &word.fields, names);
+        words.push(Word { id: word.id.clone(), mode: None, name, title, bits: word.bits, fields });
     }
     for mode in &device.modes {
         for (what, bits) in [("control", &mode.control_bits), ("status", &mode.status_bits)] {
@@ -90,7 +94,9 @@ pub(super) fn words(device: &Device, names: &mut Names) -> Vec<Word> {
             let width = device.words.iter().map(|word| word.bits).max().unwrap_or(16).min(16);
             if !fields.is_empty() {
                 let title = prose(&format!("{}: {what} bits", mode.name));
-                words.push(Word { name: siblings.claim(&id), title, bits: width, fields });
+                let name = siblings.claim(&id);
+                let mode = Some(mode.code);
+                words.push(Word { id: format!("{what}word"), mode, name, title, bits: width, fields });
             }
         }
     }

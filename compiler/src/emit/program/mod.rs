@@ -8,13 +8,18 @@ mod dictionary;
 mod names;
 mod pieces;
 mod process_data;
+#[cfg(any(feature = "icube", feature = "igh", feature = "lcec"))]
+mod setup;
 mod start_up;
 mod transport;
 mod value;
 
 use serde::Serialize;
 
-use self::codes::{Error, Mode, Named, State, Word};
+#[cfg(feature = "wireshark")]
+pub(super) use self::codes::Bits;
+pub(super) use self::codes::Word;
+use self::codes::{Error, Mode, Named, State};
 use self::dictionary::Object;
 use self::names::Names;
 use self::start_up::StartUp;
@@ -22,7 +27,13 @@ use self::transport::{Clock, Identity, Manager};
 
 pub(super) use self::pieces::{Piece, pieces};
 pub(super) use self::process_data::{Field, Image, Part, Pdo, Selection};
+#[cfg(feature = "igh")]
+pub(super) use self::setup::setups;
+#[cfg(any(feature = "icube", feature = "lcec"))]
+pub(super) use self::setup::{Assigned, Entry, Head, Setup, Step, each_way};
 pub(super) use self::value::Kind;
+#[cfg(feature = "wireshark")]
+pub(super) use self::value::of_type;
 
 use super::escape::prose;
 use super::identifier::snake;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::model::{DataType, Device, Mapped};
+use crate::model::{Address, DataType, Device, Mapped, Word};
 
 /// How a field is to be taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -22,10 +22,15 @@ pub(in crate::emit) enum Kind {
 
 /// Kind, and the width in bits of the value: what its type has, or what is mapped where no type says anything.
 pub(super) fn of(device: &Device, mapped: &Mapped) -> (Kind, u32) {
-    let bits = mapped.bits;
-    match mapped.data_type {
+    let word = mapped.address.and_then(|address| word(device, address));
+    of_type(mapped.data_type, mapped.bits, word.is_some())
+}
+
+/// As [`of`], of what has a type and a width; whether it is a word, whose bits have names.
+pub(in crate::emit) fn of_type(data_type: Option<DataType>, bits: u32, is_word: bool) -> (Kind, u32) {
+    match data_type {
         Some(DataType::Bool | DataType::Bits(1)) => (Kind::Bool, 1),
-        Some(data_type @ DataType::Int(_)) if !is_word(device, mapped) => (Kind::Int, data_type.bits()),
+        Some(data_type @ DataType::Int(_)) if !is_word => (Kind::Int, data_type.bits()),
         Some(
             DataType::Int(width) | DataType::Uint(width) | DataType::Bitstring(width) | DataType::Bits(width),
         ) => (Kind::Uint, width.into()),
@@ -39,9 +44,11 @@ pub(super) fn of(device: &Device, mapped: &Mapped) -> (Kind, u32) {
     }
 }
 
-/// Whether bits have names: they have no sign, whatever the manual calls their type.
-fn is_word(device: &Device, mapped: &Mapped) -> bool {
-    let Some(address) = mapped.address else { return false };
+/// The word at an address, on whatever axis: its bits have names, and no sign, whatever the manual calls its type.
+fn word(device: &Device, address: Address) -> Option<&Word> {
     let leading = device.object(address.index).map_or(address.index, |object| object.leading);
-    device.words.iter().any(|word| (word.address.index, word.address.subindex) == (leading, address.subindex))
+    device
+        .words
+        .iter()
+        .find(|word| (word.address.index, word.address.subindex) == (leading, address.subindex))
 }

@@ -9,12 +9,16 @@ use minijinja::value::Serde;
 use super::identifier::{Claimed, snake};
 use super::program::Program;
 use super::{Emitter, Files, Options, template};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::{Device, Family};
 
 /// Makes modules of Python.
 #[derive(Debug)]
 pub struct Python;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[&rules::clashing_identifier::RULE, &rules::empty_name::RULE];
 
 impl Emitter for Python {
     fn name(&self) -> &'static str {
@@ -27,6 +31,10 @@ impl Emitter for Python {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".py"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

@@ -6,13 +6,25 @@
 mod intel_hex;
 
 use super::{Emitter, Files, Options};
-use crate::lint::Checked;
+use crate::diagnostic::Rule;
+use crate::lint::{Checked, rules};
 use crate::model::{Device, Family};
 use crate::sii;
 
 /// Makes EEPROM images.
 #[derive(Debug)]
 pub struct Sii;
+
+/// What it cannot hold.
+const LINTS: &[&Rule] = &[
+    &rules::contradicted_config_data::RULE,
+    &rules::empty_name::RULE,
+    &rules::impossible_boot_mailbox::RULE,
+    &rules::impossible_eeprom_size::RULE,
+    &rules::missing_config_data::RULE,
+    &rules::overlong_name::RULE,
+    &rules::undersized_eeprom::RULE,
+];
 
 impl Emitter for Sii {
     fn name(&self) -> &'static str {
@@ -25,6 +37,10 @@ impl Emitter for Sii {
 
     fn ends(&self) -> &'static [&'static str] {
         &[".bin", ".hex"]
+    }
+
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
     }
 
     fn is_default(&self) -> bool {

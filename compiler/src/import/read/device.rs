@@ -219,5 +219,6 @@ fn alternative(element: &Element<'_>) -> Option<Alternative> {
 
 fn eeprom(element: &Element<'_>) -> Eeprom {
     let config_data = element.child_as("ConfigData", bytes).unwrap_or_default();
-    Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data }
+    let bootstrap = element.child_as("BootStrap", bytes).unwrap_or_default();
+    Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data, bootstrap }
 }

@@ -208,6 +208,7 @@ pub(crate) struct Eeprom {
     pub(crate) at: At,
     pub(crate) size: Option<u32>,
     pub(crate) config_data: Vec<u8>,
+    pub(crate) bootstrap: Vec<u8>,
 }
 
 /// An object of the dictionary with its type resolved into values.

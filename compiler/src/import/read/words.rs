@@ -22,7 +22,7 @@ pub(super) fn others(parent: &Element<'_>, tag: &str) -> Texts {
     let english = name(parent, tag);
     let mut texts = Texts::default();
     for other in named(parent, tag).filter(|other| !std::ptr::eq(*other, chosen)) {
-        let language = other.attribute_as("LcId", |text| language(text));
+        let language = other.attribute_as("LcId", language);
         let Some(language) = language.filter(|language| texts.iter().all(|(known, _)| known != language))
         else {
             continue;

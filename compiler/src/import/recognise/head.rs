@@ -29,6 +29,9 @@ pub(super) fn blocks(esi: &Esi, device: &Device, objects: &[Described], report: 
                 "without ConfigData an ESI made of the description has no Eeprom",
             );
         }
+        if !eeprom.bootstrap.is_empty() {
+            set(&mut keys, "bootstrap", Toml::text(pairs(&eeprom.bootstrap)));
+        }
         blocks.push(Block::new("eeprom", None, keys));
     }
     blocks

@@ -6,7 +6,7 @@ use crate::model::{Device, Place, Section};
 use crate::source::Location;
 
 rule! {
-    /// Rust knows things by identifiers made of letters, digits and `_`. Two ids that differ in nothing else become
+    /// Programs know things by identifiers made of letters, digits and `_`. Two ids that differ in nothing else become
     /// one identifier; the second gets a number behind it, which changes as soon as a third comes in between.
     ///
     /// ## Fires
@@ -22,7 +22,7 @@ rule! {
     /// "stand-by" = { name = "Stand-by", pattern = "x0" }
     /// "ready" = { name = "Ready", pattern = "x1" }
     /// ```
-    pub(super) static RULE = "clashing-identifier", Output, Warning, "two ids make one identifier in Rust";
+    pub(crate) static RULE = "clashing-identifier", Output, Warning, "two ids make one identifier";
 }
 
 /// What has an identifier: the table it is in, its key there, its id, its name, and where it stands.
@@ -40,7 +40,7 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         if table == Section::Objects && name.eq_ignore_ascii_case(its_name) {
             continue;
         }
-        let message = format!("`{other}` and `{id}` are both `{}` in Rust", identifier(id));
+        let message = format!("`{other}` and `{id}` are both `{}` in a program", identifier(id));
         let diagnostic = Diagnostic::new(&RULE, message, place, "gets a number behind it")
             .label(*at, "has the identifier");
         report.push(subject, diagnostic);

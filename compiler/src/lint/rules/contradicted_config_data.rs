@@ -38,7 +38,7 @@ rule! {
     /// [eeprom]
     /// config-data = "080C02080000"
     /// ```
-    pub(super) static RULE = "contradicted-config-data", Output, Warning,
+    pub(crate) static RULE = "contradicted-config-data", Output, Warning,
         "the first bytes of the EEPROM do not fit what else is described";
 }
 

@@ -29,7 +29,7 @@ rule! {
     /// assign-activate = 0x300
     /// sync0 = { period = "1 ms", shift = "-20 us" }
     /// ```
-    pub(super) static RULE = "contradicted-period", Output, Warning,
+    pub(crate) static RULE = "contradicted-period", Output, Warning,
         "a signal of the clocks has two periods, or one that is too long";
 }
 

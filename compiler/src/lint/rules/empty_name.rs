@@ -19,7 +19,7 @@ rule! {
     /// name = "Speed"
     /// type = "UINT16"
     /// ```
-    pub(super) static RULE = "empty-name", Output, Warning, "a name says nothing";
+    pub(crate) static RULE = "empty-name", Output, Warning, "a name says nothing";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {

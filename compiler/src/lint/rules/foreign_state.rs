@@ -19,7 +19,7 @@ rule! {
     /// switched-on = { name = "Switched on", pattern = "x01x 0011" }
     /// fault = { name = "Parked", pattern = "x01x 1011" }
     /// ```
-    pub(super) static RULE = "foreign-state", Output, Warning, "a state that CiA 402 does not have";
+    pub(crate) static RULE = "foreign-state", Output, Warning, "a state that CiA 402 does not have";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {

@@ -19,7 +19,7 @@ rule! {
     /// size = 1920
     /// config-data = "050E03EE0000"
     /// ```
-    pub(super) static RULE = "impossible-eeprom-size", Output, Warning,
+    pub(crate) static RULE = "impossible-eeprom-size", Output, Warning,
         "no EEPROM has this size";
 }
 

@@ -21,7 +21,7 @@ rule! {
     /// back-to-init = "5 s"
     /// back-to-safe-op = "200 ms"
     /// ```
-    pub(super) static RULE = "incomplete-timeouts", Output, Warning,
+    pub(crate) static RULE = "incomplete-timeouts", Output, Warning,
         "an ESI cannot tell a timeout";
 }
 

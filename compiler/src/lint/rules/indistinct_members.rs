@@ -45,7 +45,7 @@ rule! {
     /// without = ["tx-pdos.0x1A00"]
     /// identity = { revision = 2 }
     /// ```
-    pub(super) static RULE = "indistinct-members", Output, Warning,
+    pub(crate) static RULE = "indistinct-members", Output, Warning,
         "members of a family differ in process data, but not in identity";
 }
 

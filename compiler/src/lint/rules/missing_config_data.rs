@@ -27,7 +27,7 @@ rule! {
     /// size = 2048
     /// config-data = "050E03EE0000"
     /// ```
-    pub(super) static RULE = "missing-config-data", Output, Warning,
+    pub(crate) static RULE = "missing-config-data", Output, Warning,
         "the first bytes of the EEPROM are not described";
 }
 

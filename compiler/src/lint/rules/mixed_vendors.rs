@@ -35,7 +35,7 @@ rule! {
     /// [members.one]
     /// [members.two]
     /// ```
-    pub(super) static RULE = "mixed-vendors", Output, Error, "the members of a family have different vendor ids";
+    pub(crate) static RULE = "mixed-vendors", Output, Error, "the members of a family have different vendor ids";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {

@@ -8,11 +8,12 @@ mod ambiguous_pdo_name;
 mod ambiguous_scaling;
 mod ambiguous_value_name;
 mod ambiguous_vendor_code;
-mod clashing_identifier;
+pub(crate) mod channelless_value;
+pub(crate) mod clashing_identifier;
 mod commanded_automatic_transition;
 mod contradicted_activation;
 mod contradicted_assignment;
-mod contradicted_config_data;
+pub(crate) mod contradicted_config_data;
 mod contradicted_control;
 mod contradicted_count;
 mod contradicted_default;
@@ -21,7 +22,7 @@ mod contradicted_group;
 mod contradicted_identity;
 mod contradicted_modes;
 mod contradicted_notation;
-mod contradicted_period;
+pub(crate) mod contradicted_period;
 mod contradicted_profile;
 mod contradicted_quantity;
 mod contradicted_size;
@@ -35,17 +36,18 @@ mod deviating_mapping;
 mod deviating_pattern;
 mod deviating_type;
 mod differing_axis;
-mod empty_name;
+pub(crate) mod empty_name;
 mod empty_reason;
 mod excluded_assignment;
-mod foreign_state;
+pub(crate) mod foreign_state;
 mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
-mod impossible_eeprom_size;
-mod incomplete_timeouts;
-mod indistinct_members;
+pub(crate) mod impossible_boot_mailbox;
+pub(crate) mod impossible_eeprom_size;
+pub(crate) mod incomplete_timeouts;
+pub(crate) mod indistinct_members;
 mod inverted_limits;
 mod manufacturer_bit;
 mod meaningful_reserved_bit;
@@ -54,12 +56,12 @@ mod misclassified_error;
 mod misdirected_entry;
 mod misordered_sync_managers;
 mod misplaced_sync_manager;
-mod missing_config_data;
+pub(crate) mod missing_config_data;
 mod missing_group;
 mod missing_mandatory_pdo;
 mod missing_object;
 mod missing_sync_manager;
-mod mixed_vendors;
+pub(crate) mod mixed_vendors;
 mod odd_count_type;
 mod one_sided_exclusion;
 mod overfull_assignment;
@@ -67,12 +69,15 @@ mod overlapping_bits;
 mod overlapping_groups;
 mod overlapping_states;
 mod overlapping_sync_managers;
-mod overlong_mode_code;
-mod overlong_name;
+pub(crate) mod overlong_mode_code;
+pub(crate) mod overlong_name;
+pub(crate) mod overlong_pin;
 mod overruled_statement;
 mod oversized_pdo;
+pub(crate) mod oversized_write;
 mod overwide_entry;
 mod patternless_state;
+pub(crate) mod pinless_value;
 mod placeholder_identity;
 mod pointless_exclusion;
 mod portless_current;
@@ -84,20 +89,21 @@ mod repeated_default;
 mod repeated_error;
 mod repeated_mailbox;
 mod repeated_mapping;
-mod replaced_revision;
+pub(crate) mod replaced_revision;
 mod reserved_index;
-mod several_edges;
+pub(crate) mod several_edges;
 mod stray_profile_object;
 mod subindex_gap;
+pub(crate) mod uncontrolled_axis;
 mod undefined_default;
-mod undersized_eeprom;
+pub(crate) mod undersized_eeprom;
 mod undersized_sync_manager;
 mod understated_axes;
-mod uneven_slots;
+pub(crate) mod uneven_slots;
 mod unexpected_mode_bit;
 mod unknown_homing_method;
 pub(super) mod unknown_rule;
-mod unlike_slots;
+pub(crate) mod unlike_slots;
 mod unlistable_mode;
 mod unmappable_entry;
 mod unmapped_mode;
@@ -112,9 +118,9 @@ mod unrepresentable_value;
 mod unrestorable_value;
 mod unscaled_axis;
 mod unsized_string;
-mod unslotted_axis;
+pub(crate) mod unslotted_axis;
 mod unsourced_fact;
-mod unspoken_ability;
+pub(crate) mod unspoken_ability;
 mod unsupported_configuration_mode;
 mod unsupported_cycle_time;
 mod unsupported_pdo_mode;
@@ -139,6 +145,7 @@ lints! {
     ambiguous_scaling,
     ambiguous_value_name,
     ambiguous_vendor_code,
+    channelless_value,
     clashing_identifier,
     commanded_automatic_transition,
     contradicted_activation,
@@ -174,6 +181,7 @@ lints! {
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
+    impossible_boot_mailbox,
     impossible_eeprom_size,
     incomplete_timeouts,
     indistinct_members,
@@ -200,10 +208,13 @@ lints! {
     overlapping_sync_managers,
     overlong_mode_code,
     overlong_name,
+    overlong_pin,
     overruled_statement,
     oversized_pdo,
+    oversized_write,
     overwide_entry,
     patternless_state,
+    pinless_value,
     placeholder_identity,
     pointless_exclusion,
     portless_current,
@@ -220,6 +231,7 @@ lints! {
     several_edges,
     stray_profile_object,
     subindex_gap,
+    uncontrolled_axis,
     undefined_default,
     undersized_eeprom,
     undersized_sync_manager,

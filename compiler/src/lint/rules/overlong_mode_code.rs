@@ -31,7 +31,7 @@ rule! {
     /// [modes.8]
     /// aliases = [-6]
     /// ```
-    pub(super) static RULE = "overlong-mode-code", Output, Warning, "the number of a mode does not fit 8 bits";
+    pub(crate) static RULE = "overlong-mode-code", Output, Warning, "the number of a mode does not fit 8 bits";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {

@@ -24,7 +24,7 @@ rule! {
     /// vendor = "Example"
     /// group = "Drives"
     /// ```
-    pub(super) static RULE = "overlong-name", Output, Warning, "a name does not fit into an EEPROM";
+    pub(crate) static RULE = "overlong-name", Output, Warning, "a name does not fit into an EEPROM";
 }
 
 /// The length of a string in an EEPROM is one byte.

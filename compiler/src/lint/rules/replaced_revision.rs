@@ -23,7 +23,7 @@ rule! {
     /// revision = 2
     /// replaces = [1]
     /// ```
-    pub(super) static RULE = "replaced-revision", Output, Warning,
+    pub(crate) static RULE = "replaced-revision", Output, Warning,
         "a revision takes the place of itself or of a newer one";
 }
 

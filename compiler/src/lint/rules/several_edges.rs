@@ -18,7 +18,7 @@ rule! {
     /// [commands]
     /// start = { name = "Start", pattern = "x1xx xxxr" }
     /// ```
-    pub(super) static RULE = "several-edges", Output, Warning, "a command takes the change of several bits";
+    pub(crate) static RULE = "several-edges", Output, Warning, "a command takes the change of several bits";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {

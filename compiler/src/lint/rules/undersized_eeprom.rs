@@ -38,7 +38,7 @@ rule! {
     /// size = 512
     /// config-data = "050E03EE0000"
     /// ```
-    pub(super) static RULE = "undersized-eeprom", Output, Warning,
+    pub(crate) static RULE = "undersized-eeprom", Output, Warning,
         "what an ESI says does not fit into the EEPROM";
 }
 

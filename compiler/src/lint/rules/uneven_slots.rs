@@ -34,7 +34,7 @@ rule! {
     /// name = "Ramp"
     /// type = "UINT16"
     /// ```
-    pub(super) static RULE = "uneven-slots", Output, Error,
+    pub(crate) static RULE = "uneven-slots", Output, Error,
         "what axes have is not at one distance from slot to slot";
 }
 

@@ -37,7 +37,7 @@ rule! {
     /// type = "UINT16"
     /// per-axis.B = { type = "UINT32", note = "The second axis is slower." }
     /// ```
-    pub(super) static RULE = "unlike-slots", Output, Error,
+    pub(crate) static RULE = "unlike-slots", Output, Error,
         "axes share a module, but are not alike";
 }
 

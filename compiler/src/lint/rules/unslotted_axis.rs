@@ -27,7 +27,7 @@ rule! {
     /// name = "Servo axis"
     /// axes = ["A", "B"]
     /// ```
-    pub(super) static RULE = "unslotted-axis", Output, Error,
+    pub(crate) static RULE = "unslotted-axis", Output, Error,
         "an axis is in no module, or in several";
 }
 

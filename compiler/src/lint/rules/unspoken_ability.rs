@@ -18,7 +18,7 @@ rule! {
     /// [mailbox]
     /// protocols = ["FoE"]
     /// ```
-    pub(super) static RULE = "unspoken-ability", Output, Warning,
+    pub(crate) static RULE = "unspoken-ability", Output, Warning,
         "the mailbox can do what none of its protocols can";
 }
 

@@ -4,6 +4,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, duration};
 use crate::emit::markdown::page::Page;
+use crate::emit::markdown::picture;
 use crate::emit::markdown::table::Table;
 use crate::model::{
     AbortCode, AlStatusCode, CommunicationState, CommunicationTransition, Mailbox, Role, SyncManager,
@@ -41,6 +42,9 @@ pub(super) fn page(context: &Context<'_>, link: &Link<'_>) -> Page {
     page.titled("Why a state is refused or left", al_status_codes(context, codes));
     page.titled("Why an SDO transfer ends", self::abort_codes(context, abort_codes));
     page.titled("Sync managers", sync_managers(context, managers));
+    if !managers.is_empty() {
+        context.picture(&mut page, || picture::memory(managers));
+    }
     page.titled("Mailbox", mailbox.as_ref().map(|mailbox| services(context, mailbox)).unwrap_or_default());
     page.titled("Timeouts", timeouts.as_ref().map(|timeouts| waits(context, timeouts)).unwrap_or_default());
     page

@@ -104,10 +104,16 @@ fn ports(physics: &str) -> String {
 }
 
 fn memory(eeprom: &Eeprom) -> String {
-    let Eeprom { size, config_data, source: _, origin: _ } = eeprom;
+    let Eeprom { size, config_data, bootstrap: _, source: _, origin: _ } = eeprom;
     let config: Vec<String> = config_data.0.iter().map(|byte| format!("{byte:02X}")).collect();
-    let size = bytes(*size);
-    if config.is_empty() { size } else { format!("{size}, begins with {}", code(config.join(" "))) }
+    let begin =
+        if config.is_empty() { String::new() } else { format!(", begins with {}", code(config.join(" "))) };
+    let area =
+        |(address, size): (u16, u16)| format!("{} bytes at {}", size, code(format!("0x{address:04X}")));
+    let boot = eeprom.boot_mailbox().map(|areas| areas.map(area));
+    let boot =
+        boot.map_or(String::new(), |[out, into]| format!(", mailbox in Bootstrap: {out} out, {into} in"));
+    format!("{}{begin}{boot}", bytes(*size))
 }
 
 fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {

@@ -20,7 +20,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::braces::braces;
-use super::{Options, tokens};
+use super::{LINTS, Options, tokens};
+use crate::diagnostic::Rule;
 use crate::emit::{Emitter, Files};
 use crate::lint::Checked;
 use crate::model::Family;
@@ -45,12 +46,17 @@ impl Emitter for Rust {
         &[".rs"]
     }
 
+    fn lints(&self) -> &'static [&'static Rule] {
+        LINTS
+    }
+
     fn is_default(&self) -> bool {
         true
     }
 
-    fn emit(&self, family: &Checked<Family>, _: &crate::emit::Options) -> Files {
-        Files::one(format!("{}.rs", family.id), text(family, &Options::default()))
+    fn emit(&self, family: &Checked<Family>, options: &crate::emit::Options) -> Files {
+        let options = Options { dictionary: options.dictionary, ..Options::default() };
+        Files::one(format!("{}.rs", family.id), text(family, &options))
     }
 }
 

@@ -88,7 +88,6 @@ struct Facts<'a> {
     about: Option<&'a str>,
     note: Option<&'a str>,
     functional: bool,
-    parameter: Option<&'a str>,
     properties: &'a [Property],
     backup: bool,
     setting: bool,
@@ -101,7 +100,6 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
-            parameter,
             properties,
             index: _,
             id: _,
@@ -112,6 +110,7 @@ impl<'a> Facts<'a> {
             category: _,
             entries: _,
             derived: _,
+            parameter: _,
             leading: _,
             source: _,
             origin,
@@ -121,7 +120,6 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
-            parameter: parameter.as_deref(),
             properties,
             backup: false,
             setting: false,
@@ -134,10 +132,10 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
-            parameter,
             properties,
             backup,
             setting,
+            parameter: _,
             address: _,
             id: _,
             name: _,
@@ -161,7 +159,6 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
-            parameter: parameter.as_deref(),
             properties,
             backup: *backup,
             setting: *setting,
@@ -174,11 +171,9 @@ impl<'a> Facts<'a> {
         let marked = |key: &str, text: &str| sentence(&context.prose(text)) + &context.mark(self.origin, key);
         let about = self.about.map(|about| marked("about", about));
         let note = self.note.map(|note| marked("note", note));
-        let parameter =
-            self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        let said = [functional, about, note, parameter, backup, setting].into_iter().flatten();
+        let said = [functional, about, note, backup, setting].into_iter().flatten();
         said.chain(self.properties.iter().map(property)).collect()
     }
 }
