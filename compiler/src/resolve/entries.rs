@@ -248,7 +248,7 @@ fn data_type(
 }
 
 /// Reports a type that there is not, with devc's name for it if it has one elsewhere.
-pub(super) fn unknown_type(text: &str, at: Location) -> Diagnostic {
+fn unknown_type(text: &str, at: Location) -> Diagnostic {
     let expected = "expected a data type such as BOOL, INT32, UINT16, REAL32, WORD or STRING(8)";
     let fault = Diagnostic::new(&faults::INVALID_VALUE, format!("`{text}` means nothing here"), at, expected);
     match DataType::named_elsewhere(text) {

@@ -3,9 +3,8 @@
 use std::borrow::Cow;
 
 use super::context::Context;
-use super::entries::unknown_type;
 use super::{names, numbered, objects};
-use crate::diagnostic::faults;
+use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::{self, Siblings};
 use crate::model::{Address, DataType, Entry, Mapped, Object};
 use crate::raw::RawMapped;
@@ -131,7 +130,15 @@ fn stated(context: &mut Context<'_>, raw: &RawMapped, is_known: bool, at: Locati
     match text.parse() {
         Ok(data_type) if DataType::bits(data_type) > 0 => Some(data_type),
         _ => {
-            context.diagnostics.push(unknown_type(text, at));
+            // The place is that of the whole entry, which no fix may take the place of.
+            let expected = "expected a data type such as INT32, UINT16, REAL32, WORD or STRING(8)";
+            let message = format!("`{text}` means nothing here");
+            let fault = Diagnostic::new(&faults::INVALID_VALUE, message, at, expected);
+            let meant = DataType::named_elsewhere(text).filter(|meant| meant.bits() > 0);
+            context.diagnostics.push(match meant {
+                Some(meant) => fault.help(format!("here it is `{meant}`")),
+                None => fault,
+            });
             None
         }
     }
