@@ -50,6 +50,10 @@ pub(super) struct Build {
     #[arg(long)]
     no_editorial: bool,
 
+    /// Leave the dictionary for a firmware out of Rust: a master needs none.
+    #[arg(long)]
+    no_dictionary: bool,
+
     /// Write nothing; say which outputs are not up to date.
     #[arg(long)]
     check: bool,
@@ -112,11 +116,12 @@ impl Build {
             words => emit::wanted(words.iter().map(String::as_str)),
         };
         let editorial = !self.no_editorial && project.outputs.editorial.unwrap_or(true);
+        let dictionary = !self.no_dictionary && project.outputs.dictionary.unwrap_or(true);
         let outputs = emit::lints(emitters.iter().copied());
         Ok(Order {
             request: Request { levels: self.levels.levels()?, outputs },
             emitters,
-            options: Options { editorial },
+            options: Options { editorial, dictionary },
             folders: Folders::new(self.out.as_deref(), project),
         })
     }

@@ -15,14 +15,14 @@ use super::outcome::{Failure, Outcome};
 use super::report::Report;
 use super::workplace::Workplace;
 
-/// Make a description of an ESI file.
+/// Make a description of an ESI file, of an EDS, or of what `ethercat sdos` prints.
 ///
 /// What the description cannot say is reported on the standard error, and what had to be guessed, each with its place in
 /// the file.
 #[derive(Debug, Args)]
 pub(super) struct Import {
-    /// The ESI file.
-    #[arg(value_name = "FILE.xml")]
+    /// The ESI file (XML), the EDS (CiA 306), or the list that `ethercat sdos` of IgH's master prints.
+    #[arg(value_name = "FILE")]
     file: PathBuf,
 
     /// The device, where the file has several: its number in the file, its type or its name.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use devc::reference::SCHEMA;
+use devc::source::{MAX_SIZE, plain};
 
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
@@ -59,7 +60,8 @@ impl Init {
 
 /// Whether the file has all lines of a text.
 fn has(path: &Path, text: &str) -> bool {
-    let there = fs::read_to_string(path).unwrap_or_default();
+    let there = plain::read(path, MAX_SIZE as u64).unwrap_or_default();
+    let there = String::from_utf8_lossy(&there);
     text.lines().all(|line| there.lines().any(|other| other == line))
 }
 

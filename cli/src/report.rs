@@ -45,6 +45,12 @@ impl Report {
         }
     }
 
+    /// Whether the standard output is a terminal whose cursor can be moved, and what is done is said.
+    pub(super) fn is_live(&self) -> bool {
+        let dumb = std::env::var_os("TERM").is_none_or(|value| value.is_empty() || value == "dumb");
+        !self.quiet && !dumb && io::stdout().is_terminal()
+    }
+
     /// Whether nobody reads the standard output any more.
     pub(super) fn is_lost(&self) -> bool {
         self.lost.borrow().is_some()

@@ -1,7 +1,12 @@
 //! `devc run`
 
 mod bus;
+mod ending;
 mod fault;
+mod link;
+mod screen;
+mod store;
+mod table;
 mod told;
 
 use std::fs::File;
@@ -11,10 +16,12 @@ use std::time::Duration;
 
 use clap::Args;
 use devc::source::Disk;
-use devc_virtual::{Interface, Subdevice, Trace, Wire};
+use devc_virtual::{Subdevice, Trace, Wire};
 
 use self::bus::Bus;
-use self::fault::{Fault, time};
+use self::ending::Ending;
+use self::fault::{Deed, Fault, time};
+use self::store::Store;
 use self::told::Told;
 use super::outcome::{Failure, Outcome, reason};
 use super::paths::descriptions;
@@ -46,6 +53,14 @@ pub(super) struct Run {
     #[arg(long, value_name = "AXIS=CODE@TIME")]
     fault: Vec<Fault>,
 
+    /// Give a pulse to a touch probe, 1 or 2, after a time: `X=1@5s`, as with faults.
+    #[arg(long, value_name = "AXIS=PROBE@TIME")]
+    probe: Vec<Fault>,
+
+    /// Keep in a file what masters store in the devices (0x1010), for the next run.
+    #[arg(long, value_name = "FILE")]
+    store: Option<PathBuf>,
+
     /// Write all frames into a file that Wireshark opens.
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
@@ -59,6 +74,7 @@ impl Run {
     pub(super) fn run(&self, report: &Report) -> Result<Outcome, Failure> {
         let mut outcome = Outcome::Clean;
         let (mut known, mut names, mut subdevices) = (Vec::new(), Vec::new(), Vec::new());
+        let store = self.store.as_deref().map(Store::open).transpose()?;
         for path in descriptions(&self.paths, report)? {
             let compilation = devc::compile(&Disk, &path);
             report.diagnostics(&compilation);
@@ -67,8 +83,10 @@ impl Run {
             known.extend(family.members.iter().map(|device| device.id.clone()));
             let wanted = |id: &String| self.member.is_empty() || self.member.contains(id);
             for device in family.members.iter().filter(|device| wanted(&device.id)) {
+                let stored =
+                    store.as_ref().map(|store| store.of(names.len(), &device.id)).unwrap_or_default();
                 names.push(device.id.clone());
-                subdevices.push(Subdevice::of(device));
+                subdevices.push(Subdevice::with_stored(device, stored));
             }
         }
         if outcome != Outcome::Clean {
@@ -79,29 +97,29 @@ impl Run {
             let choices: Vec<String> = known.iter().map(|id| format!("  {id}")).collect();
             return Err(Failure::new(what).choices(&choices));
         }
-        let told = Told::new(names, &subdevices, self.cycle_report);
-        let faults = self.fault.iter().map(|fault| told.find(fault)).collect::<Result<_, _>>()?;
-        let interface = self.open()?;
+        let told = Told::new(names, &subdevices, self.cycle_report, report.is_live());
+        let faults = self.fault.iter().map(|fault| told.find(fault, Deed::Fault));
+        let probes = self.probe.iter().map(|probe| told.find(probe, Deed::Pulse));
+        let dues = faults.chain(probes).collect::<Result<_, _>>()?;
+        let there = self.trace.as_ref().filter(|path| path.symlink_metadata().is_ok());
+        if let Some(path) = there {
+            return Err(Failure::new(format!("`{}` is there already", path.display()))
+                .help("move it away, or name another file with `--trace`"));
+        }
+        let interface = link::open(&self.interface)?;
         let trace = self.trace.as_ref().map(|path| self.begin(path)).transpose()?;
+        let ending = Ending::after(self.duration)
+            .map_err(|error| Failure::new(format!("cannot wait for Ctrl-C: {}", reason(&error))))?;
         report.message(&told.greeting(&self.interface));
-        let mut bus = Bus::new(Wire::new(subdevices), interface, trace, faults);
-        bus.serve(self.duration, told, report)?;
+        link::remark(&self.interface).iter().for_each(|remark| report.message(remark));
+        let mut bus = Bus::new(Wire::new(subdevices), interface, (trace, store), dues);
+        bus.serve(&ending, told, report)?;
         Ok(outcome)
-    }
-
-    fn open(&self) -> Result<Interface, Failure> {
-        Interface::open(&self.interface).map_err(|error| {
-            let what = format!("cannot open the network interface `{}`: {}", self.interface, reason(&error));
-            Failure::new(what).help(
-                "run it as root, or give the right to the command: `sudo setcap cap_net_raw+ep` and its path; \
-                 `ip link` lists the interfaces",
-            )
-        })
     }
 
     fn begin(&self, path: &PathBuf) -> Result<Trace<BufWriter<File>>, Failure> {
         let comment = format!("devc {}", env!("CARGO_PKG_VERSION"));
-        let file = File::create(path).map(BufWriter::new);
+        let file = File::create_new(path).map(BufWriter::new);
         file.and_then(|file| Trace::begin(file, &self.interface, &comment))
             .map_err(|error| Failure::at("write", path, &error))
     }

@@ -18,7 +18,8 @@ use std::{env, fmt, fs, io};
 
 use crate::diagnostic::render::{Style, text};
 use crate::diagnostic::{Diagnostic, Level};
-use crate::emit::rust::{LINTS, Options, module, snake};
+pub use crate::emit::rust::Options;
+use crate::emit::rust::{LINTS, module, snake};
 use crate::lint::Levels;
 use crate::source::{Disk, plain};
 use crate::text::characters::line;
@@ -33,6 +34,26 @@ use crate::{Compilation, Request, compile_with};
 /// # Errors
 /// The messages, if the description has errors; or that the file cannot be written, or would lie elsewhere.
 pub fn rust(description: impl AsRef<Path>, file: impl AsRef<Path>) -> Result<(), Failed> {
+    rust_with(description, file, &Options::default())
+}
+
+/// The same with a choice of what is in the module: a master does without the dictionary for a firmware.
+///
+/// ```no_run
+/// use devc::build::{Options, rust_with};
+///
+/// # fn main() -> Result<(), devc::build::Failed> {
+/// rust_with("devices/c887", "c887.rs", &Options { dictionary: false, ..Options::default() })
+/// # }
+/// ```
+///
+/// # Errors
+/// As [`rust`].
+pub fn rust_with(
+    description: impl AsRef<Path>,
+    file: impl AsRef<Path>,
+    options: &Options,
+) -> Result<(), Failed> {
     let (description, file) = (description.as_ref(), file.as_ref());
     let target = target(env::var_os("OUT_DIR").map(PathBuf::from), file)?;
     let request = Request { levels: Levels::default(), outputs: LINTS.to_vec() };
@@ -42,7 +63,7 @@ pub fn rust(description: impl AsRef<Path>, file: impl AsRef<Path>) -> Result<(),
         return Err(Failed(messages(&compilation, Level::Error).collect::<Vec<_>>().join("\n\n")));
     };
     let name = file.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
-    let code = module(family, &snake(&name), &Options::default());
+    let code = module(family, &snake(&name), options);
     write_if_changed(&target, &code)
         .map_err(|error| Failed(format!("cannot write `{}`: {error}", target.display())))
 }

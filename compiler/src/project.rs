@@ -31,6 +31,8 @@ pub struct Outputs {
     pub folders: BTreeMap<Output, Folder>,
     /// Whether a reference shows how sure facts are; `--no-editorial` says that it does not.
     pub editorial: Option<bool>,
+    /// Whether Rust has the dictionary for a firmware; `--no-dictionary` says that it does not.
+    pub dictionary: Option<bool>,
 }
 
 /// What the file says.

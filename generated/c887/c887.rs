@@ -47,7 +47,7 @@ use ::devc_runtime::cia402::{
 use ::devc_runtime::error::{ErrorInfo, ErrorRange};
 use ::devc_runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
 use ::devc_runtime::pdo::{
-    Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+    MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     Unmapped,
 };
 use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
@@ -74,6 +74,10 @@ impl Device for C887 {
     const VENDOR_ID: u32 = 0x0000_076D;
     const PRODUCT_CODE: u32 = 0x0000_0003;
     const REVISION: u32 = 0x0000_0000;
+}
+
+impl ::devc_runtime::Family for C887 {
+    const MEMBERS: &'static [BringUp] = &[BRING_UP];
 }
 
 /// The axes of the device.
@@ -1145,69 +1149,25 @@ pub mod objects {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Controlword(pub u16);
 
-impl Controlword {
+::devc_runtime::bits! {
+    Controlword: u16;
     /// Bit 0: switch on.
-    pub const fn switch_on(self) -> bool {
-        self.0 & 1 << 0 != 0
-    }
-
-    /// The word with bit 0 as given.
-    #[must_use]
-    pub const fn with_switch_on(self, on: bool) -> Self {
-        Self(self.0 & !(1 << 0) | (on as u16) << 0)
-    }
-
+    switch_on, with_switch_on: 0;
     /// Bit 1: enable voltage.
-    pub const fn enable_voltage(self) -> bool {
-        self.0 & 1 << 1 != 0
-    }
-
-    /// The word with bit 1 as given.
-    #[must_use]
-    pub const fn with_enable_voltage(self, on: bool) -> Self {
-        Self(self.0 & !(1 << 1) | (on as u16) << 1)
-    }
-
+    enable_voltage, with_enable_voltage: 1;
     /// Bit 2: quick stop.
     ///
     /// Asks for a quick stop while it is 0. Always 1 with a master that does not know the state Quick stop
     /// active.
-    pub const fn quick_stop(self) -> bool {
-        self.0 & 1 << 2 != 0
-    }
-
-    /// The word with bit 2 as given.
-    #[must_use]
-    pub const fn with_quick_stop(self, on: bool) -> Self {
-        Self(self.0 & !(1 << 2) | (on as u16) << 2)
-    }
-
+    quick_stop, with_quick_stop: 2;
     /// Bit 3: enable operation.
-    pub const fn enable_operation(self) -> bool {
-        self.0 & 1 << 3 != 0
-    }
-
-    /// The word with bit 3 as given.
-    #[must_use]
-    pub const fn with_enable_operation(self, on: bool) -> Self {
-        Self(self.0 & !(1 << 3) | (on as u16) << 3)
-    }
-
+    enable_operation, with_enable_operation: 3;
     /// Bit 7: fault reset.
     ///
     /// Only the rising edge counts.
     ///
     /// On the rising edge: Transition 15, in every state but Switch on disabled and Fault reaction active.
-    pub const fn fault_reset(self) -> bool {
-        self.0 & 1 << 7 != 0
-    }
-
-    /// The word with bit 7 as given.
-    #[must_use]
-    pub const fn with_fault_reset(self, on: bool) -> Self {
-        Self(self.0 & !(1 << 7) | (on as u16) << 7)
-    }
-
+    fault_reset, with_fault_reset: 7;
     /// Bit 4 in mode 6 (hm): homing operation start.
     ///
     /// Called Start Homing on page 15.
@@ -1215,31 +1175,14 @@ impl Controlword {
     /// On the rising edge: The reference move starts.
     ///
     /// On the falling edge: Homing is broken off.
-    pub const fn hm_homing_operation_start(self) -> bool {
-        self.0 & 1 << 4 != 0
-    }
-
-    /// The word with bit 4 as given.
-    #[must_use]
-    pub const fn with_hm_homing_operation_start(self, on: bool) -> Self {
-        Self(self.0 & !(1 << 4) | (on as u16) << 4)
-    }
-
+    hm_homing_operation_start, with_hm_homing_operation_start: 4;
     /// Bit 8 in mode 6 (hm): halt.
     ///
     /// Stops the motion.
     ///
     /// - 0: homing mode is active
     /// - 1: stop the axis with the profile deceleration
-    pub const fn hm_halt(self) -> bool {
-        self.0 & 1 << 8 != 0
-    }
-
-    /// The word with bit 8 as given.
-    #[must_use]
-    pub const fn with_hm_halt(self, on: bool) -> Self {
-        Self(self.0 & !(1 << 8) | (on as u16) << 8)
-    }
+    hm_halt, with_hm_halt: 8;
 }
 
 impl core::fmt::Display for Controlword {
@@ -1270,118 +1213,77 @@ impl Statusword {
     pub fn state(self) -> Result<State, UnknownState> {
         STATES.decode(self.0)
     }
+}
 
+::devc_runtime::bits! {
+    Statusword: u16;
     /// Bit 0: ready to switch on.
-    pub const fn ready_to_switch_on(self) -> bool {
-        self.0 & 1 << 0 != 0
-    }
-
+    ready_to_switch_on: 0;
     /// Bit 1: switched on.
-    pub const fn switched_on(self) -> bool {
-        self.0 & 1 << 1 != 0
-    }
-
+    switched_on: 1;
     /// Bit 2: operation enabled.
-    pub const fn operation_enabled(self) -> bool {
-        self.0 & 1 << 2 != 0
-    }
-
+    operation_enabled: 2;
     /// Bit 3: fault.
-    pub const fn fault(self) -> bool {
-        self.0 & 1 << 3 != 0
-    }
-
+    fault: 3;
     /// Bit 4: voltage enabled.
     ///
     /// 1 in the states in which high-level power is applied; open in Fault reaction active.
-    pub const fn voltage_enabled(self) -> bool {
-        self.0 & 1 << 4 != 0
-    }
-
+    voltage_enabled: 4;
     /// Bit 5: quick stop.
     ///
     /// If 0, the controller reacts to a quick stop request.
-    pub const fn quick_stop(self) -> bool {
-        self.0 & 1 << 5 != 0
-    }
-
+    quick_stop: 5;
     /// Bit 6: switch on disabled.
-    pub const fn switch_on_disabled(self) -> bool {
-        self.0 & 1 << 6 != 0
-    }
-
+    switch_on_disabled: 6;
     /// Bit 7: warning.
     ///
     /// Something that is no error or fault, as a temperature above its limit or a refused job; the state
     /// stays. The error code may tell the cause.
-    pub const fn warning(self) -> bool {
-        self.0 & 1 << 7 != 0
-    }
-
+    warning: 7;
     /// Bit 11: internal limit active.
     ///
     /// A limit, as that of the position range, is active. Which limits there are depends on the hexapod and
     /// its configuration.
-    pub const fn internal_limit_active(self) -> bool {
-        self.0 & 1 << 11 != 0
-    }
-
+    internal_limit_active: 11;
     /// Bit 10 in mode 6 (hm): target reached.
     ///
     /// Whether the home position is reached; with halt, whether the axis stands.
     ///
     /// - 0: home position not reached; with halt, the axis slows down
     /// - 1: home position reached; with halt, the velocity is 0
-    pub const fn hm_target_reached(self) -> bool {
-        self.0 & 1 << 10 != 0
-    }
-
+    hm_target_reached: 10;
     /// Bit 12 in mode 6 (hm): homing attained.
     ///
     /// How far homing is.
     ///
     /// - 0: homing not yet completed
     /// - 1: homing completed successfully
-    pub const fn hm_homing_attained(self) -> bool {
-        self.0 & 1 << 12 != 0
-    }
-
+    hm_homing_attained: 12;
     /// Bit 13 in mode 6 (hm): homing error.
     ///
     /// The error code tells the cause.
     ///
     /// - 0: no homing error
     /// - 1: an error has occurred, and homing was not successful
-    pub const fn hm_homing_error(self) -> bool {
-        self.0 & 1 << 13 != 0
-    }
-
+    hm_homing_error: 13;
     /// Bit 10 in mode 8 (csp): target reached.
     ///
     /// Changes with every update of the inputs, and so tells whether they are updated.
-    pub const fn csp_target_reached(self) -> bool {
-        self.0 & 1 << 10 != 0
-    }
-
+    csp_target_reached: 10;
     /// Bit 12 in mode 8 (csp): target position ignored.
     ///
     /// Whether the target position is used.
     ///
     /// - 0: target position ignored
     /// - 1: target position is the input of the position control loop; the axis is in Operation enabled and follows
-    pub const fn csp_target_position_ignored(self) -> bool {
-        self.0 & 1 << 12 != 0
-    }
-
+    csp_target_position_ignored: 12;
     /// Bit 13 in mode 8 (csp): following error.
     ///
     /// Whether there is a following error.
     ///
     /// - 0: no following error
     /// - 1: following error
-    pub const fn csp_following_error(self) -> bool {
-        self.0 & 1 << 13 != 0
-    }
+    csp_following_error: 13;
 }
 
 impl core::fmt::Display for Statusword {
@@ -1411,41 +1313,22 @@ impl core::fmt::Display for Statusword {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct ErrorRegister(pub u8);
 
-impl ErrorRegister {
+::devc_runtime::bits! {
+    ErrorRegister: u8;
     /// Bit 0: generic error.
-    pub const fn generic_error(self) -> bool {
-        self.0 & 1 << 0 != 0
-    }
-
+    generic_error: 0;
     /// Bit 1: current.
-    pub const fn current(self) -> bool {
-        self.0 & 1 << 1 != 0
-    }
-
+    current: 1;
     /// Bit 2: voltage.
-    pub const fn voltage(self) -> bool {
-        self.0 & 1 << 2 != 0
-    }
-
+    voltage: 2;
     /// Bit 3: temperature.
-    pub const fn temperature(self) -> bool {
-        self.0 & 1 << 3 != 0
-    }
-
+    temperature: 3;
     /// Bit 4: communication.
-    pub const fn communication(self) -> bool {
-        self.0 & 1 << 4 != 0
-    }
-
+    communication: 4;
     /// Bit 5: device-profile-specific error.
-    pub const fn device_profile_specific_error(self) -> bool {
-        self.0 & 1 << 5 != 0
-    }
-
+    device_profile_specific_error: 5;
     /// Bit 7: manufacturer-specific error code.
-    pub const fn manufacturer_specific_error_code(self) -> bool {
-        self.0 & 1 << 7 != 0
-    }
+    manufacturer_specific_error_code: 7;
 }
 
 impl core::fmt::Display for ErrorRegister {
@@ -2379,6 +2262,8 @@ impl ProcessImage for Inputs {
     ];
 }
 
+/// What of the device bears on its bring-up, and on what process data it takes.
+///
 /// Source: p. 24.
 ///
 /// Assumed, address: no source gives it; behind the mailboxes.
@@ -2386,8 +2271,18 @@ impl ProcessImage for Inputs {
 /// Assumed, max-size: six PP PDOs of 15 bytes.
 ///
 /// Assumed, control: three buffers with watchdog; the ERR light shows that there is one, p. 3.
-impl Carries<Rx> for C887 {
-    const SYNC_MANAGER: SyncManager = SyncManager {
+///
+/// Source: p. 24.
+///
+/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
+///
+/// Assumed, max-size: six CSP PDOs of 11 bytes.
+///
+/// Assumed, control: three buffers.
+pub const BRING_UP: BringUp = BringUp {
+    name: "C-887.53x",
+    member: 0,
+    outputs: Some(SyncManager {
         default: &[0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650],
         assignable: true,
         slots: 7,
@@ -2401,18 +2296,8 @@ impl Carries<Rx> for C887 {
             [0x1640, 0x1641],
             [0x1650, 0x1651],
         ],
-    };
-}
-
-/// Source: p. 24.
-///
-/// Assumed, address: no source gives it; behind three buffers of the longest outputs.
-///
-/// Assumed, max-size: six CSP PDOs of 11 bytes.
-///
-/// Assumed, control: three buffers.
-impl Carries<Tx> for C887 {
-    const SYNC_MANAGER: SyncManager = SyncManager {
+    }),
+    inputs: Some(SyncManager {
         default: &[0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
         assignable: true,
         slots: 6,
@@ -2426,24 +2311,20 @@ impl Carries<Tx> for C887 {
             [0x1A40, 0x1A41],
             [0x1A50, 0x1A51],
         ],
-    };
-}
-
-impl BringUp for C887 {
-    const MAPS: bool = false;
-
-    const AXES: &'static [AxisObjects] = &[
+    }),
+    maps: false,
+    axes: &[
         AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
-    ];
-}
+    ],
+};
 
-/// Start-up lists of the choices that are described, what to write in order, and the process data that there is
-/// then.
+/// Start-up lists of the choices that are described, what to write in order, and the process data that
+/// there is then.
 pub mod configurations {
     use super::*;
 
@@ -2623,65 +2504,35 @@ pub mod commands {
     /// Leads to Ready to switch on. If the hexapod moves, it slows down on the quick-stop ramp.
     ///
     /// Source: p. 12, p. 17.
-    pub const SHUTDOWN: Command = Command {
-        name: "shutdown",
-        pattern: Pattern { mask: 0x0087, value: 0x0006 },
-        edge: None,
-        transitions: &[2, 6, 8],
-        ignored_in: StateSet::NONE,
-    };
+    pub const SHUTDOWN: Command = Command::new("shutdown", 0x0087, 0x0006, &[2, 6, 8]);
 
     /// Switch on. `0xxx 0111`
     ///
     /// Applies high-level power.
     ///
     /// Source: p. 9, p. 12.
-    pub const SWITCH_ON: Command = Command {
-        name: "switch on",
-        pattern: Pattern { mask: 0x008F, value: 0x0007 },
-        edge: None,
-        transitions: &[3],
-        ignored_in: StateSet::NONE,
-    };
+    pub const SWITCH_ON: Command = Command::new("switch on", 0x008F, 0x0007, &[3]);
 
     /// Disable voltage. `0xxx xx0x`
     ///
     /// Leads to Switch on disabled. If the hexapod moves, it slows down on the quick-stop ramp.
     ///
     /// Source: p. 12, p. 17.
-    pub const DISABLE_VOLTAGE: Command = Command {
-        name: "disable voltage",
-        pattern: Pattern { mask: 0x0082, value: 0x0000 },
-        edge: None,
-        transitions: &[7, 9, 10, 12],
-        ignored_in: StateSet::NONE,
-    };
+    pub const DISABLE_VOLTAGE: Command = Command::new("disable voltage", 0x0082, 0x0000, &[7, 9, 10, 12]);
 
     /// Quick stop. `0xxx x01x`
     ///
     /// Stops the hexapod on the quick-stop ramp, and it stays in Quick stop active.
     ///
     /// Source: p. 12, p. 17.
-    pub const QUICK_STOP: Command = Command {
-        name: "quick stop",
-        pattern: Pattern { mask: 0x0086, value: 0x0002 },
-        edge: None,
-        transitions: &[11],
-        ignored_in: StateSet::NONE,
-    };
+    pub const QUICK_STOP: Command = Command::new("quick stop", 0x0086, 0x0002, &[11]);
 
     /// Disable operation. `0xxx 0111`
     ///
     /// Ends the drive function. If the hexapod moves, it slows down on the quick-stop ramp.
     ///
     /// Source: p. 9, p. 12, p. 17.
-    pub const DISABLE_OPERATION: Command = Command {
-        name: "disable operation",
-        pattern: Pattern { mask: 0x008F, value: 0x0007 },
-        edge: None,
-        transitions: &[5],
-        ignored_in: StateSet::NONE,
-    };
+    pub const DISABLE_OPERATION: Command = Command::new("disable operation", 0x008F, 0x0007, &[5]);
 
     /// Enable operation. `0xxx 1111`
     ///
@@ -2691,13 +2542,7 @@ pub mod commands {
     ///
     /// Corrected, transitions; the source says: transitions = 4, 16. Transition 16 is said not to be
     /// supported, and the table of transitions ends at 15.
-    pub const ENABLE_OPERATION: Command = Command {
-        name: "enable operation",
-        pattern: Pattern { mask: 0x008F, value: 0x000F },
-        edge: None,
-        transitions: &[4],
-        ignored_in: StateSet::NONE,
-    };
+    pub const ENABLE_OPERATION: Command = Command::new("enable operation", 0x008F, 0x000F, &[4]);
 
     /// Fault reset. `rxxx xxxx`
     ///
@@ -2705,13 +2550,9 @@ pub mod commands {
     /// counts.
     ///
     /// Source: p. 12.
-    pub const FAULT_RESET: Command = Command {
-        name: "fault reset",
-        pattern: Pattern { mask: 0x0080, value: 0x0080 },
-        edge: Some(Edge::Rising(0x0080)),
-        transitions: &[15],
-        ignored_in: StateSet::of(&[State::SwitchOnDisabled, State::FaultReactionActive]),
-    };
+    pub const FAULT_RESET: Command = Command::new("fault reset", 0x0080, 0x0080, &[15]).on(Edge::Rising(
+        0x0080,
+    )).ignored_in(StateSet::of(&[State::SwitchOnDisabled, State::FaultReactionActive]));
 
     /// Every command.
     pub const ALL: &[Command] =
@@ -3297,40 +3138,83 @@ pub mod units {
     pub const SDO_ANGULAR_ACCELERATION: Unit<C887, AngularAcceleration> = Unit::of::<1_000_000, 1>();
 }
 
-/// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
+/// The object dictionary as a firmware keeps it: values with their defaults, and a table of all
+/// entries.
 pub mod dictionary {
     use super::*;
-    use ::devc_runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
+    use ::devc_runtime::sdo::shorthand::*;
+    use ::devc_runtime::sdo::{self, DataType, EntryInfo, Page, positions};
 
-    /// Every object whose value can change.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct Dictionary {
+    ::devc_runtime::dictionary! {
+        /// Every object whose value can change.
+        pub struct Dictionary, "The values that the manual gives as defaults, 0 where it gives none.";
+
         /// `0x1000:00` Device type. UINT32, ro, default 0x00020192.
-        pub device_type: u32,
+        0 device_type: u32 = 0x0002_0192, value;
         /// `0x1001:00` Error register. UINT8, ro, default 0.
-        pub error_register: ErrorRegister,
+        1 error_register: ErrorRegister = ErrorRegister(0), value;
         /// `0x1008:00` Manufacturer device name. STRING(14), ro, default "C-887 EtherCAT".
-        pub manufacturer_device_name: &'static str,
+        2 manufacturer_device_name: &'static str = "C-887 EtherCAT", value;
         /// `0x1009:00` Manufacturer hardware version. STRING(32), ro, default "0".
-        pub manufacturer_hardware_version: &'static str,
+        3 manufacturer_hardware_version: &'static str = "0", value;
         /// `0x100A:00` Manufacturer software version. STRING(32), ro, default "0".
-        pub manufacturer_software_version: &'static str,
+        4 manufacturer_software_version: &'static str = "0", value;
         /// `0x1018` Idendity object.
-        pub identity_object: IdentityObject,
+        5 identity_object: IdentityObject = IdentityObject {
+            vendor_id: 0x076D,
+            product_code: 3,
+            revision_number: 0,
+            serial_number: 0x1234_5678
+        }, record;
         /// `0x1C00` Sync Manager communication types.
-        pub sync_manager_communication_type: SyncManagerCommunicationType,
+        6 sync_manager_communication_type: SyncManagerCommunicationType = SyncManagerCommunicationType {
+            entry_1: Entry1(1),
+            entry_2: Entry2(2),
+            entry_3: Entry3(3),
+            entry_4: Entry4(4)
+        }, record;
         /// `0x1C12` Sync Manage r2 PDO assignment.
         ///
         /// UINT8, rw, written in PreOP only, default 6.
-        pub sync_manager_2_pdo_assignment: sdo::List<u16, 7>,
+        7 sync_manager_2_pdo_assignment: sdo::List<u16, 7> =
+            sdo::List { count: 6, items: [0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650, 0] }, list;
         /// `0x1C13` Sync Manager3 PDO assignment.
         ///
         /// UINT8, rw, written in PreOP only, default 6.
-        pub sync_manager_3_pdo_assignment: sdo::List<u16, 6>,
+        8 sync_manager_3_pdo_assignment: sdo::List<u16, 6> =
+            sdo::List { count: 6, items: [0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50] }, list;
         /// `0x1C32` Configuration DC modus.
-        pub sm_output_parameter: SmOutputParameter,
+        9 sm_output_parameter: SmOutputParameter = SmOutputParameter {
+            synchronization_type: SynchronizationType(2),
+            cycle_time: 0,
+            shift_time: 0,
+            synchronization_types_supported: 4,
+            minimum_cycle_time: 0x000F_4240,
+            calc_and_copy_time: 0,
+            minimum_delay_time: 0,
+            get_cycle_time: GetCycleTime(0),
+            delay_time: 0,
+            sync0_cycle_time: 0,
+            sm_event_missed: 0,
+            cycle_time_too_small: 0,
+            sync_error: false
+        }, record;
         /// `0x1C33` SM input parameter.
-        pub sm_input_parameter: SmInputParameter,
+        10 sm_input_parameter: SmInputParameter = SmInputParameter {
+            synchronization_type: SmInputParameterSynchronizationType(2),
+            cycle_time: 0,
+            shift_time: 0,
+            synchronization_types_supported: 4,
+            minimum_cycle_time: 0x000F_4240,
+            calc_and_copy_time: 0,
+            minimum_delay_time: 0,
+            get_cycle_time: GetCycleTime(0),
+            delay_time: 0,
+            sync0_cycle_time: 0,
+            sm_event_missed: 0,
+            cycle_time_too_small: 0,
+            sync_error: false
+        }, record;
         /// `0x5000` Work coordinate system.
         ///
         /// - `01` Axis X. INT32, rw, default 0, in µm.
@@ -3339,7 +3223,7 @@ pub mod dictionary {
         /// - `04` Axis U. INT32, rw, default 0, in deg ÷ 1000.
         /// - `05` Axis V. INT32, rw, default 0, in deg ÷ 1000.
         /// - `06` Axis W. INT32, rw, default 0, in deg ÷ 1000.
-        pub work_coordinate_system: [i32; 6],
+        11 work_coordinate_system: [i32; 6] = [0; 6], items;
         /// `0x5001` Tool coordinate system.
         ///
         /// - `01` Axis X. INT32, rw, default 0, in µm.
@@ -3348,7 +3232,7 @@ pub mod dictionary {
         /// - `04` Axis U. INT32, rw, default 0, in deg ÷ 1000.
         /// - `05` Axis V. INT32, rw, default 0, in deg ÷ 1000.
         /// - `06` Axis W. INT32, rw, default 0, in deg ÷ 1000.
-        pub tool_coordinate_system: [i32; 6],
+        12 tool_coordinate_system: [i32; 6] = [0; 6], items;
         /// `0x5008` Motor homing method.
         ///
         /// - `01` Axis 1. INT32, rw, default 0.
@@ -3357,16 +3241,22 @@ pub mod dictionary {
         /// - `04` Axis 4. INT32, rw, default 0.
         /// - `05` Axis 5. INT32, rw, default 0.
         /// - `06` Axis 6. INT32, rw, default 0.
-        pub motor_homing_method: [i32; 6],
+        13 motor_homing_method: [i32; 6] = [0; 6], items;
         /// `0x5009` Software version.
         ///
         /// - `01` GCSFW. INT32, ro, default 0.
         /// - `02` DSPFW. INT32, ro, default 0.
         /// - `03` FPGAFW. INT32, ro, default 0.
         /// - `04` IMAGEVER. INT32, ro, default 0.
-        pub software_version: [i32; 4],
+        14 software_version: [i32; 4] = [0; 4], items;
         /// `0x5010` Buffered parameters.
-        pub buffered_parameters: BufferedParameters,
+        15 buffered_parameters: BufferedParameters = BufferedParameters {
+            highest_subindex_supported: 4,
+            work_coordinates: 0,
+            tool_coordinates: 0,
+            direction_for_travelrange_calculation: 0,
+            reset_errorcode: 0
+        }, record;
         /// `0x5011` Direction for Travelrange.
         ///
         /// - `01` Axis X. INT32, rw, default 0.
@@ -3375,7 +3265,7 @@ pub mod dictionary {
         /// - `04` Axis U. INT32, rw, default 0.
         /// - `05` Axis V. INT32, rw, default 0.
         /// - `06` Axis W. INT32, rw, default 0.
-        pub direction_for_travelrange: [i32; 6],
+        16 direction_for_travelrange: [i32; 6] = [0; 6], items;
         /// `0x5012` Available Travelrange.
         ///
         /// - `01` Axis X. INT32, ro, default 0, in µm.
@@ -3384,299 +3274,67 @@ pub mod dictionary {
         /// - `04` Axis U. INT32, ro, default 0, in deg ÷ 1000.
         /// - `05` Axis V. INT32, ro, default 0, in deg ÷ 1000.
         /// - `06` Axis W. INT32, ro, default 0, in deg ÷ 1000.
-        pub available_travelrange: [i32; 6],
+        17 available_travelrange: [i32; 6] = [0; 6], items;
         /// `0x5013` Debug Information.
-        pub debug_information: DebugInformation,
+        18 debug_information: DebugInformation =
+            DebugInformation { hexapod_state: HexapodState(0), reserved: 0 }, record;
         /// `0x5014` Maximum Velocity and Acceleration.
         ///
         /// - `01` Translational Velocity. INT32, ro, default 0, in µm/s.
         /// - `02` Rotational Velocity. INT32, ro, default 0, in deg/s ÷ 1000.
         /// - `03` Translational Acceleration. INT32, ro, default 0, in µm/s².
         /// - `04` Rotational Acceleration. INT32, ro, default 0, in deg/s² ÷ 1000.
-        pub maximum_velocity_and_acceleration: [i32; 4],
-        /// What each axis has, in order.
-        pub axes: [AxisDictionary; 6],
+        19 maximum_velocity_and_acceleration: [i32; 4] = [0; 4], items;
+        axes AxisDictionary, 6 = [AxisDictionary::DEFAULT; 6];
     }
 
-    impl Dictionary {
-        /// The values that the manual gives as defaults, 0 where it gives none.
-        pub const DEFAULT: Self = Self {
-            device_type: 0x0002_0192,
-            error_register: ErrorRegister(0),
-            manufacturer_device_name: "C-887 EtherCAT",
-            manufacturer_hardware_version: "0",
-            manufacturer_software_version: "0",
-            identity_object: IdentityObject {
-                vendor_id: 0x076D,
-                product_code: 3,
-                revision_number: 0,
-                serial_number: 0x1234_5678,
-            },
-            sync_manager_communication_type: SyncManagerCommunicationType {
-                entry_1: Entry1(1),
-                entry_2: Entry2(2),
-                entry_3: Entry3(3),
-                entry_4: Entry4(4),
-            },
-            sync_manager_2_pdo_assignment: sdo::List {
-                count: 6,
-                items: [0x1600, 0x1610, 0x1620, 0x1630, 0x1640, 0x1650, 0],
-            },
-            sync_manager_3_pdo_assignment: sdo::List {
-                count: 6,
-                items: [0x1A00, 0x1A10, 0x1A20, 0x1A30, 0x1A40, 0x1A50],
-            },
-            sm_output_parameter: SmOutputParameter {
-                synchronization_type: SynchronizationType(2),
-                cycle_time: 0,
-                shift_time: 0,
-                synchronization_types_supported: 4,
-                minimum_cycle_time: 0x000F_4240,
-                calc_and_copy_time: 0,
-                minimum_delay_time: 0,
-                get_cycle_time: GetCycleTime(0),
-                delay_time: 0,
-                sync0_cycle_time: 0,
-                sm_event_missed: 0,
-                cycle_time_too_small: 0,
-                sync_error: false,
-            },
-            sm_input_parameter: SmInputParameter {
-                synchronization_type: SmInputParameterSynchronizationType(2),
-                cycle_time: 0,
-                shift_time: 0,
-                synchronization_types_supported: 4,
-                minimum_cycle_time: 0x000F_4240,
-                calc_and_copy_time: 0,
-                minimum_delay_time: 0,
-                get_cycle_time: GetCycleTime(0),
-                delay_time: 0,
-                sync0_cycle_time: 0,
-                sm_event_missed: 0,
-                cycle_time_too_small: 0,
-                sync_error: false,
-            },
-            work_coordinate_system: [0; 6],
-            tool_coordinate_system: [0; 6],
-            motor_homing_method: [0; 6],
-            software_version: [0; 4],
-            buffered_parameters: BufferedParameters {
-                highest_subindex_supported: 4,
-                work_coordinates: 0,
-                tool_coordinates: 0,
-                direction_for_travelrange_calculation: 0,
-                reset_errorcode: 0,
-            },
-            direction_for_travelrange: [0; 6],
-            available_travelrange: [0; 6],
-            debug_information: DebugInformation { hexapod_state: HexapodState(0), reserved: 0 },
-            maximum_velocity_and_acceleration: [0; 4],
-            axes: [AxisDictionary::DEFAULT; 6],
-        };
-    }
+    ::devc_runtime::dictionary! {
+        /// Every object of an axis whose value can change, by its index on the first axis.
+        pub struct AxisDictionary, "The defaults of the first axis.";
 
-    impl Default for Dictionary {
-        fn default() -> Self {
-            Self::DEFAULT
-        }
-    }
-
-    /// Every object of an axis whose value can change, by its index on the first axis.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct AxisDictionary {
         /// `0x603F:00` Error code. UINT16, ro, default 0.
-        pub error_code: ErrorCode,
+        20 error_code: ErrorCode = ErrorCode(0), value;
         /// `0x6040:00` Controlword. UINT16, rw, RxPDO, default 0.
-        pub controlword: Controlword,
+        21 controlword: Controlword = Controlword(0), value;
         /// `0x6041:00` Statusword. UINT16, ro, TxPDO, default 0.
-        pub statusword: Statusword,
+        22 statusword: Statusword = Statusword(0), value;
         /// `0x6060:00` Modes of operation. INT8, rw, RxPDO, default 0.
-        pub modes_of_operation: i8,
+        23 modes_of_operation: i8 = 0, value;
         /// `0x6061:00` Modes of operation display. INT8, ro, TxPDO, default 0.
-        pub modes_of_operation_display: i8,
+        24 modes_of_operation_display: i8 = 0, value;
         /// `0x6064:00` Position actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000.
-        pub position_actual_value: i32,
+        25 position_actual_value: i32 = 0, value;
         /// `0x607A:00` Target position. INT32, rw, RxPDO, default 0, in mm or deg ÷ 100000.
-        pub target_position: i32,
+        26 target_position: i32 = 0, value;
         /// `0x607D` Software position limit.
         ///
         /// - `01` Min position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
         /// - `02` Max position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
-        pub software_position_limit: [i32; 2],
+        27 software_position_limit: [i32; 2] = [0; 2], items;
         /// `0x6093` Position factor.
         ///
         /// - `01` Numerator. INT32, rw, default 1.
         /// - `02` Denominator. INT32, rw, default 100000.
-        pub position_factor: [i32; 2],
+        28 position_factor: [i32; 2] = [1, 100000], items;
         /// `0x6098:00` Homing method. INT8, rw, default 0.
-        pub homing_method: i8,
+        29 homing_method: i8 = 0, value;
         /// `0x60B0:00` Position offset. INT32, rw, default 0, in mm or deg ÷ 100000.
-        pub position_offset: i32,
+        30 position_offset: i32 = 0, value;
         /// `0x60C2` Interpolation time period.
-        pub interpolation_time_period: InterpolationTimePeriod,
+        31 interpolation_time_period: InterpolationTimePeriod = InterpolationTimePeriod {
+            interpolation_time_period_value: 1,
+            interpolation_time_index: -3
+        }, record;
         /// `0x60F4:00` Following error actual value. INT32, ro, TxPDO, default 0, in mm or deg ÷ 100000.
-        pub following_error_actual_value: i32,
+        32 following_error_actual_value: i32 = 0, value;
         /// `0x60FD:00` Digital Inputs. INT32, ro, default 0.
-        pub digital_inputs: i32,
+        33 digital_inputs: i32 = 0, value;
         /// `0x60FF:00` Target velocity. INT32, rw, default 0, in mm/s or deg/s ÷ 100000.
-        pub target_velocity: i32,
+        34 target_velocity: i32 = 0, value;
         /// `0x6502:00` Supported drive modes. UINT32, ro, default 160.
-        pub supported_drive_modes: u32,
+        35 supported_drive_modes: u32 = 160, value;
         /// `0x67FF:00` Device profile number. UINT32, ro, default 0.
-        pub device_profile_number: u32,
-    }
-
-    impl AxisDictionary {
-        /// The defaults of the first axis.
-        pub const DEFAULT: Self = Self {
-            error_code: ErrorCode(0),
-            controlword: Controlword(0),
-            statusword: Statusword(0),
-            modes_of_operation: 0,
-            modes_of_operation_display: 0,
-            position_actual_value: 0,
-            target_position: 0,
-            software_position_limit: [0; 2],
-            position_factor: [1, 100000],
-            homing_method: 0,
-            position_offset: 0,
-            interpolation_time_period: InterpolationTimePeriod {
-                interpolation_time_period_value: 1,
-                interpolation_time_index: -3,
-            },
-            following_error_actual_value: 0,
-            digital_inputs: 0,
-            target_velocity: 0,
-            supported_drive_modes: 160,
-            device_profile_number: 0,
-        };
-    }
-
-    impl Default for AxisDictionary {
-        fn default() -> Self {
-            Self::DEFAULT
-        }
-    }
-
-    /// `0x1018` Idendity object.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct IdentityObject {
-        /// `0x1018:01` Vendor ID. UINT32, ro, default 0x076D.
-        pub vendor_id: u32,
-        /// `0x1018:02` Product code. UINT32, ro, default 3.
-        pub product_code: u32,
-        /// `0x1018:03` Revision number. UINT32, ro, default 0.
-        pub revision_number: u32,
-        /// `0x1018:04` Serial number. UINT32, ro, default 0x12345678.
-        pub serial_number: u32,
-    }
-
-    /// `0x1C00` Sync Manager communication types.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct SyncManagerCommunicationType {
-        /// `0x1C00:01` SubIndex 001. UINT8, ro, default 1.
-        pub entry_1: Entry1,
-        /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
-        pub entry_2: Entry2,
-        /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
-        pub entry_3: Entry3,
-        /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
-        pub entry_4: Entry4,
-    }
-
-    /// `0x1C32` Configuration DC modus.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct SmOutputParameter {
-        /// `0x1C32:01` Synchronization type. UINT16, rw, default 2.
-        pub synchronization_type: SynchronizationType,
-        /// `0x1C32:02` Cycle time. UINT32, rw.
-        pub cycle_time: u32,
-        /// `0x1C32:03` Shift time. UINT32, ro.
-        pub shift_time: u32,
-        /// `0x1C32:04` Synchronization types supported. UINT16, ro, default 4.
-        pub synchronization_types_supported: u16,
-        /// `0x1C32:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
-        pub minimum_cycle_time: u32,
-        /// `0x1C32:06` Calc and copy time. UINT32, ro.
-        pub calc_and_copy_time: u32,
-        /// `0x1C32:07` Minimum delay time. UINT32, ro.
-        pub minimum_delay_time: u32,
-        /// `0x1C32:08` Get cycle time. UINT16, rw.
-        pub get_cycle_time: GetCycleTime,
-        /// `0x1C32:09` Delay time. UINT32, ro.
-        pub delay_time: u32,
-        /// `0x1C32:0A` Sync0 cycle time. UINT32, rw.
-        pub sync0_cycle_time: u32,
-        /// `0x1C32:0B` SM event missed. UINT16, ro.
-        pub sm_event_missed: u16,
-        /// `0x1C32:0C` Cycle time too small. UINT16, ro.
-        pub cycle_time_too_small: u16,
-        /// `0x1C32:20` Sync error. BOOL, ro.
-        pub sync_error: bool,
-    }
-
-    /// `0x1C33` SM input parameter.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct SmInputParameter {
-        /// `0x1C33:01` Synchronization type. UINT16, rw, default 2.
-        pub synchronization_type: SmInputParameterSynchronizationType,
-        /// `0x1C33:02` Cycle time. UINT32, rw.
-        pub cycle_time: u32,
-        /// `0x1C33:03` Shift time. UINT32, rw.
-        pub shift_time: u32,
-        /// `0x1C33:04` Synchronization types supported. UINT16, ro, default 4.
-        pub synchronization_types_supported: u16,
-        /// `0x1C33:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
-        pub minimum_cycle_time: u32,
-        /// `0x1C33:06` Calc and copy time. UINT32, ro.
-        pub calc_and_copy_time: u32,
-        /// `0x1C33:07` Minimum delay time. UINT32, ro.
-        pub minimum_delay_time: u32,
-        /// `0x1C33:08` Get cycle time. UINT16, rw.
-        pub get_cycle_time: GetCycleTime,
-        /// `0x1C33:09` Delay time. UINT32, ro.
-        pub delay_time: u32,
-        /// `0x1C33:0A` Sync0 cycle time. UINT32, rw.
-        pub sync0_cycle_time: u32,
-        /// `0x1C33:0B` SM event missed. UINT16, ro.
-        pub sm_event_missed: u16,
-        /// `0x1C33:0C` Cycle time too small. UINT16, ro.
-        pub cycle_time_too_small: u16,
-        /// `0x1C33:20` Sync error. BOOL, ro.
-        pub sync_error: bool,
-    }
-
-    /// `0x5010` Buffered parameters.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct BufferedParameters {
-        /// `0x5010:00` Highest subindex supported. UINT8, ro, default 4.
-        pub highest_subindex_supported: u8,
-        /// `0x5010:01` Work coordinates. INT32, rw, default 0.
-        pub work_coordinates: i32,
-        /// `0x5010:02` Tool coordinates. INT32, rw, default 0.
-        pub tool_coordinates: i32,
-        /// `0x5010:03` Direction for Travelrange Calculation. INT32, rw, default 0.
-        pub direction_for_travelrange_calculation: i32,
-        /// `0x5010:04` Reset ErrorCode. INT32, rw, default 0.
-        pub reset_errorcode: i32,
-    }
-
-    /// `0x5013` Debug Information.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct DebugInformation {
-        /// `0x5013:01` Hexapod State. INT32, ro, default 0.
-        pub hexapod_state: HexapodState,
-        /// `0x5013:02` Reserved. INT32, ro, default 0.
-        pub reserved: i32,
-    }
-
-    /// `0x60C2` Interpolation time period.
-    #[derive(Debug, Clone, Copy, PartialEq)]
-    pub struct InterpolationTimePeriod {
-        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only, default 1.
-        pub interpolation_time_period_value: u8,
-        /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only, default -3.
-        pub interpolation_time_index: i8,
+        36 device_profile_number: u32 = 0, value;
     }
 
     impl sdo::Values for Dictionary {
@@ -3688,185 +3346,155 @@ pub mod dictionary {
         #[inline]
         fn process_data(&self) -> Option<&'static sdo::PdoRules> {
             Some(&const {
-                sdo::PdoRules {
-                    outputs: Some(<C887 as Carries<Rx>>::SYNC_MANAGER),
-                    inputs: Some(<C887 as Carries<Tx>>::SYNC_MANAGER),
-                    max_bytes: &[],
-                }
+                sdo::PdoRules { outputs: BRING_UP.outputs, inputs: BRING_UP.inputs, max_bytes: &[] }
             })
         }
 
         fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-            let item = usize::from(place.item);
-            match place.field {
-                0 => Some(sdo::Slot::U32(&mut self.device_type)),
-                1 => Some(sdo::Slot::U8(&mut self.error_register.0)),
-                2 => Some(sdo::Slot::Text(self.manufacturer_device_name)),
-                3 => Some(sdo::Slot::Text(self.manufacturer_hardware_version)),
-                4 => Some(sdo::Slot::Text(self.manufacturer_software_version)),
-                5 => self.identity_object.slot(place.item),
-                6 => self.sync_manager_communication_type.slot(place.item),
-                7 => match place.item {
-                    0 => Some(sdo::Slot::U8(&mut self.sync_manager_2_pdo_assignment.count)),
-                    item => self.sync_manager_2_pdo_assignment.item(item).map(sdo::Slot::U16),
-                },
-                8 => match place.item {
-                    0 => Some(sdo::Slot::U8(&mut self.sync_manager_3_pdo_assignment.count)),
-                    item => self.sync_manager_3_pdo_assignment.item(item).map(sdo::Slot::U16),
-                },
-                9 => self.sm_output_parameter.slot(place.item),
-                10 => self.sm_input_parameter.slot(place.item),
-                11 => self.work_coordinate_system.get_mut(item).map(sdo::Slot::I32),
-                12 => self.tool_coordinate_system.get_mut(item).map(sdo::Slot::I32),
-                13 => self.motor_homing_method.get_mut(item).map(sdo::Slot::I32),
-                14 => self.software_version.get_mut(item).map(sdo::Slot::I32),
-                15 => self.buffered_parameters.slot(place.item),
-                16 => self.direction_for_travelrange.get_mut(item).map(sdo::Slot::I32),
-                17 => self.available_travelrange.get_mut(item).map(sdo::Slot::I32),
-                18 => self.debug_information.slot(place.item),
-                19 => self.maximum_velocity_and_acceleration.get_mut(item).map(sdo::Slot::I32),
-                _ => self.axes.get_mut(usize::from(place.axis))?.slot(place),
-            }
+            self.field(place)
         }
     }
 
-    impl AxisDictionary {
-        fn slot(&mut self, place: sdo::Place) -> Option<sdo::Slot<'_>> {
-            let item = usize::from(place.item);
-            match place.field {
-                20 => Some(sdo::Slot::U16(&mut self.error_code.0)),
-                21 => Some(sdo::Slot::U16(&mut self.controlword.0)),
-                22 => Some(sdo::Slot::U16(&mut self.statusword.0)),
-                23 => Some(sdo::Slot::I8(&mut self.modes_of_operation)),
-                24 => Some(sdo::Slot::I8(&mut self.modes_of_operation_display)),
-                25 => Some(sdo::Slot::I32(&mut self.position_actual_value)),
-                26 => Some(sdo::Slot::I32(&mut self.target_position)),
-                27 => self.software_position_limit.get_mut(item).map(sdo::Slot::I32),
-                28 => self.position_factor.get_mut(item).map(sdo::Slot::I32),
-                29 => Some(sdo::Slot::I8(&mut self.homing_method)),
-                30 => Some(sdo::Slot::I32(&mut self.position_offset)),
-                31 => self.interpolation_time_period.slot(place.item),
-                32 => Some(sdo::Slot::I32(&mut self.following_error_actual_value)),
-                33 => Some(sdo::Slot::I32(&mut self.digital_inputs)),
-                34 => Some(sdo::Slot::I32(&mut self.target_velocity)),
-                35 => Some(sdo::Slot::U32(&mut self.supported_drive_modes)),
-                36 => Some(sdo::Slot::U32(&mut self.device_profile_number)),
-                _ => None,
-            }
-        }
+    ::devc_runtime::record! {
+        /// `0x1018` Idendity object.
+        pub struct IdentityObject;
+
+        /// `0x1018:01` Vendor ID. UINT32, ro, default 0x076D.
+        0 vendor_id: u32;
+        /// `0x1018:02` Product code. UINT32, ro, default 3.
+        1 product_code: u32;
+        /// `0x1018:03` Revision number. UINT32, ro, default 0.
+        2 revision_number: u32;
+        /// `0x1018:04` Serial number. UINT32, ro, default 0x12345678.
+        3 serial_number: u32;
     }
 
-    impl IdentityObject {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U32(&mut self.vendor_id)),
-                1 => Some(sdo::Slot::U32(&mut self.product_code)),
-                2 => Some(sdo::Slot::U32(&mut self.revision_number)),
-                3 => Some(sdo::Slot::U32(&mut self.serial_number)),
-                _ => None,
-            }
-        }
+    ::devc_runtime::record! {
+        /// `0x1C00` Sync Manager communication types.
+        pub struct SyncManagerCommunicationType;
+
+        /// `0x1C00:01` SubIndex 001. UINT8, ro, default 1.
+        0 entry_1: Entry1;
+        /// `0x1C00:02` SubIndex 002. UINT8, ro, default 2.
+        1 entry_2: Entry2;
+        /// `0x1C00:03` SubIndex 003. UINT8, ro, default 3.
+        2 entry_3: Entry3;
+        /// `0x1C00:04` SubIndex 004. UINT8, ro, default 4.
+        3 entry_4: Entry4;
     }
 
-    impl SyncManagerCommunicationType {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U8(&mut self.entry_1.0)),
-                1 => Some(sdo::Slot::U8(&mut self.entry_2.0)),
-                2 => Some(sdo::Slot::U8(&mut self.entry_3.0)),
-                3 => Some(sdo::Slot::U8(&mut self.entry_4.0)),
-                _ => None,
-            }
-        }
+    ::devc_runtime::record! {
+        /// `0x1C32` Configuration DC modus.
+        pub struct SmOutputParameter;
+
+        /// `0x1C32:01` Synchronization type. UINT16, rw, default 2.
+        0 synchronization_type: SynchronizationType;
+        /// `0x1C32:02` Cycle time. UINT32, rw.
+        1 cycle_time: u32;
+        /// `0x1C32:03` Shift time. UINT32, ro.
+        2 shift_time: u32;
+        /// `0x1C32:04` Synchronization types supported. UINT16, ro, default 4.
+        3 synchronization_types_supported: u16;
+        /// `0x1C32:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
+        4 minimum_cycle_time: u32;
+        /// `0x1C32:06` Calc and copy time. UINT32, ro.
+        5 calc_and_copy_time: u32;
+        /// `0x1C32:07` Minimum delay time. UINT32, ro.
+        6 minimum_delay_time: u32;
+        /// `0x1C32:08` Get cycle time. UINT16, rw.
+        7 get_cycle_time: GetCycleTime;
+        /// `0x1C32:09` Delay time. UINT32, ro.
+        8 delay_time: u32;
+        /// `0x1C32:0A` Sync0 cycle time. UINT32, rw.
+        9 sync0_cycle_time: u32;
+        /// `0x1C32:0B` SM event missed. UINT16, ro.
+        10 sm_event_missed: u16;
+        /// `0x1C32:0C` Cycle time too small. UINT16, ro.
+        11 cycle_time_too_small: u16;
+        /// `0x1C32:20` Sync error. BOOL, ro.
+        12 sync_error: bool;
     }
 
-    impl SmOutputParameter {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                _ => None,
-            }
-        }
+    ::devc_runtime::record! {
+        /// `0x1C33` SM input parameter.
+        pub struct SmInputParameter;
+
+        /// `0x1C33:01` Synchronization type. UINT16, rw, default 2.
+        0 synchronization_type: SmInputParameterSynchronizationType;
+        /// `0x1C33:02` Cycle time. UINT32, rw.
+        1 cycle_time: u32;
+        /// `0x1C33:03` Shift time. UINT32, rw.
+        2 shift_time: u32;
+        /// `0x1C33:04` Synchronization types supported. UINT16, ro, default 4.
+        3 synchronization_types_supported: u16;
+        /// `0x1C33:05` Minimum cycle time. UINT32, ro, default 0x000F4240.
+        4 minimum_cycle_time: u32;
+        /// `0x1C33:06` Calc and copy time. UINT32, ro.
+        5 calc_and_copy_time: u32;
+        /// `0x1C33:07` Minimum delay time. UINT32, ro.
+        6 minimum_delay_time: u32;
+        /// `0x1C33:08` Get cycle time. UINT16, rw.
+        7 get_cycle_time: GetCycleTime;
+        /// `0x1C33:09` Delay time. UINT32, ro.
+        8 delay_time: u32;
+        /// `0x1C33:0A` Sync0 cycle time. UINT32, rw.
+        9 sync0_cycle_time: u32;
+        /// `0x1C33:0B` SM event missed. UINT16, ro.
+        10 sm_event_missed: u16;
+        /// `0x1C33:0C` Cycle time too small. UINT16, ro.
+        11 cycle_time_too_small: u16;
+        /// `0x1C33:20` Sync error. BOOL, ro.
+        12 sync_error: bool;
     }
 
-    impl SmInputParameter {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U16(&mut self.synchronization_type.0)),
-                1 => Some(sdo::Slot::U32(&mut self.cycle_time)),
-                2 => Some(sdo::Slot::U32(&mut self.shift_time)),
-                3 => Some(sdo::Slot::U16(&mut self.synchronization_types_supported)),
-                4 => Some(sdo::Slot::U32(&mut self.minimum_cycle_time)),
-                5 => Some(sdo::Slot::U32(&mut self.calc_and_copy_time)),
-                6 => Some(sdo::Slot::U32(&mut self.minimum_delay_time)),
-                7 => Some(sdo::Slot::U16(&mut self.get_cycle_time.0)),
-                8 => Some(sdo::Slot::U32(&mut self.delay_time)),
-                9 => Some(sdo::Slot::U32(&mut self.sync0_cycle_time)),
-                10 => Some(sdo::Slot::U16(&mut self.sm_event_missed)),
-                11 => Some(sdo::Slot::U16(&mut self.cycle_time_too_small)),
-                12 => Some(sdo::Slot::Bool(&mut self.sync_error)),
-                _ => None,
-            }
-        }
+    ::devc_runtime::record! {
+        /// `0x5010` Buffered parameters.
+        pub struct BufferedParameters;
+
+        /// `0x5010:00` Highest subindex supported. UINT8, ro, default 4.
+        0 highest_subindex_supported: u8;
+        /// `0x5010:01` Work coordinates. INT32, rw, default 0.
+        1 work_coordinates: i32;
+        /// `0x5010:02` Tool coordinates. INT32, rw, default 0.
+        2 tool_coordinates: i32;
+        /// `0x5010:03` Direction for Travelrange Calculation. INT32, rw, default 0.
+        3 direction_for_travelrange_calculation: i32;
+        /// `0x5010:04` Reset ErrorCode. INT32, rw, default 0.
+        4 reset_errorcode: i32;
     }
 
-    impl BufferedParameters {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U8(&mut self.highest_subindex_supported)),
-                1 => Some(sdo::Slot::I32(&mut self.work_coordinates)),
-                2 => Some(sdo::Slot::I32(&mut self.tool_coordinates)),
-                3 => Some(sdo::Slot::I32(&mut self.direction_for_travelrange_calculation)),
-                4 => Some(sdo::Slot::I32(&mut self.reset_errorcode)),
-                _ => None,
-            }
-        }
+    ::devc_runtime::record! {
+        /// `0x5013` Debug Information.
+        pub struct DebugInformation;
+
+        /// `0x5013:01` Hexapod State. INT32, ro, default 0.
+        0 hexapod_state: HexapodState;
+        /// `0x5013:02` Reserved. INT32, ro, default 0.
+        1 reserved: i32;
     }
 
-    impl DebugInformation {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::I32(&mut self.hexapod_state.0)),
-                1 => Some(sdo::Slot::I32(&mut self.reserved)),
-                _ => None,
-            }
-        }
-    }
+    ::devc_runtime::record! {
+        /// `0x60C2` Interpolation time period.
+        pub struct InterpolationTimePeriod;
 
-    impl InterpolationTimePeriod {
-        fn slot(&mut self, item: u8) -> Option<sdo::Slot<'_>> {
-            match item {
-                0 => Some(sdo::Slot::U8(&mut self.interpolation_time_period_value)),
-                1 => Some(sdo::Slot::I8(&mut self.interpolation_time_index)),
-                _ => None,
-            }
-        }
+        /// `0x60C2:01` Interpolation time period value. UINT8, rw, written in PreOP only, default 1.
+        0 interpolation_time_period_value: u8;
+        /// `0x60C2:02` Interpolation time index. INT8, rw, written in PreOP only, default -3.
+        1 interpolation_time_index: i8;
     }
 
     /// Every entry of the device, to be found by its address.
     pub static TABLE: sdo::Dictionary = sdo::Dictionary {
         directory: &DIRECTORY,
         pages: &[
-            Page { axis: 0, ..PAGE_10 },
-            Page { axis: 0, ..PAGE_16 },
-            Page { axis: 0, ..PAGE_1A },
-            Page { axis: 0, ..PAGE_1C },
-            Page { axis: 0, ..PAGE_50 },
-            Page { axis: 0, ..PAGE_60 },
-            Page { axis: 0, ..PAGE_65 },
-            Page { axis: 0, ..PAGE_67 },
+            PAGE_10,
+            PAGE_16,
+            PAGE_1A,
+            PAGE_1C,
+            PAGE_50,
+            PAGE_60,
+            PAGE_65,
+            PAGE_67,
             Page { axis: 1, ..PAGE_60 },
             Page { axis: 1, ..PAGE_65 },
             Page { axis: 1, ..PAGE_67 },
@@ -3920,33 +3548,53 @@ pub mod dictionary {
         0x00, 0x41, 0x88, 0x08, 0x00, 0x61, 0x88, 0x20, 0x00, 0x64, 0x88, 0x00, 0x20, 0x06, 0x02,
     ];
 
-    const fn object(
-        code: ObjectCode,
-        axis: u8,
-        field: u16,
-        entries: &'static [EntryInfo],
-        constants: u16,
-    ) -> ObjectInfo {
-        ObjectInfo { code, axis, field, entries, constants }
-    }
+    const ENTRIES_1C32: [EntryInfo; 14] = [
+        entry(0, CONSTANT, U8, 8, RO),
+        entry(1, 0, U16, 16, RW),
+        entry(2, 1, U32, 32, RW),
+        entry(3, 2, U32, 32, RO),
+        entry(4, 3, U16, 16, RO),
+        entry(5, 4, U32, 32, RO),
+        entry(6, 5, U32, 32, RO),
+        entry(7, 6, U32, 32, RO),
+        entry(8, 7, U16, 16, RW),
+        entry(9, 8, U32, 32, RO),
+        entry(10, 9, U32, 32, RW),
+        entry(11, 10, U16, 16, RO),
+        entry(12, 11, U16, 16, RO),
+        entry(32, 12, BOOL, 1, RO),
+    ];
 
-    const fn constant(code: ObjectCode, entries: &'static [EntryInfo], constants: u16) -> ObjectInfo {
-        object(code, 0, 0, entries, constants)
-    }
+    const ENTRIES_1C33: [EntryInfo; 14] = [
+        entry(0, CONSTANT, U8, 8, RO),
+        entry(1, 0, U16, 16, RW),
+        entry(2, 1, U32, 32, RW),
+        entry(3, 2, U32, 32, RW),
+        entry(4, 3, U16, 16, RO),
+        entry(5, 4, U32, 32, RO),
+        entry(6, 5, U32, 32, RO),
+        entry(7, 6, U32, 32, RO),
+        entry(8, 7, U16, 16, RW),
+        entry(9, 8, U32, 32, RO),
+        entry(10, 9, U32, 32, RW),
+        entry(11, 10, U16, 16, RO),
+        entry(12, 11, U16, 16, RO),
+        entry(32, 12, BOOL, 1, RO),
+    ];
 
-    const fn entry(subindex: u8, item: u8, data_type: DataType, bits: u16, access: Access) -> EntryInfo {
-        EntryInfo { subindex, item, data_type, bits, access }
-    }
+    const ENTRIES_5010: [EntryInfo; 5] = [
+        entry(0, 0, U8, 8, RO),
+        entry(1, 1, I32, 32, RW),
+        entry(2, 2, I32, 32, RW),
+        entry(3, 3, I32, 32, RW),
+        entry(4, 4, I32, 32, RW),
+    ];
 
-    const CONSTANT: u8 = EntryInfo::CONSTANT;
-    const RO: Access = Access::READ;
-    const WO: Access = Access::WRITE;
-    const RW: Access = RO.and(WO);
-    const PRE_OP: Access = Access::WRITE_PRE_OPERATIONAL;
-    const SAFE_OP: Access = Access::WRITE_SAFE_OPERATIONAL;
-    const OP: Access = Access::WRITE_OPERATIONAL;
-    const RX: Access = Access::RX_PDO;
-    const TX: Access = Access::TX_PDO;
+    const ENTRIES_60C2: [EntryInfo; 3] = [
+        entry(0, CONSTANT, U8, 8, RO),
+        entry(1, 0, U8, 8, RO.and(PRE_OP)),
+        entry(2, 1, I8, 8, RO.and(PRE_OP)),
+    ];
 
     const SLOTS_10: [u8; 25] = positions(0x00, &[0x00, 0x01, 0x08, 0x09, 0x0A, 0x18]);
 
@@ -3955,18 +3603,12 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_10,
         objects: &[
-            object(ObjectCode::Variable, 0, 0, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0),
-            object(ObjectCode::Variable, 0, 1, &[entry(0, 0, DataType::UNSIGNED8, 8, RO)], 0),
-            object(ObjectCode::Variable, 0, 2, &[entry(0, 0, DataType::VISIBLE_STRING, 112, RO)], 0),
-            object(ObjectCode::Variable, 0, 3, &[entry(0, 0, DataType::VISIBLE_STRING, 256, RO)], 0),
-            object(ObjectCode::Variable, 0, 4, &[entry(0, 0, DataType::VISIBLE_STRING, 256, RO)], 0),
-            object(
-                ObjectCode::Record,
-                0,
-                5,
-                &const { EntryInfo::list::<5>(0, DataType::UNSIGNED32, 32, RO) },
-                0,
-            ),
+            object(VAR, 0, 0, 0, &[entry(0, 0, U32, 32, RO)]),
+            object(VAR, 0, 1, 0, &[entry(0, 0, U8, 8, RO)]),
+            object(VAR, 0, 2, 0, &[entry(0, 0, TEXT, 112, RO)]),
+            object(VAR, 0, 3, 0, &[entry(0, 0, TEXT, 256, RO)]),
+            object(VAR, 0, 4, 0, &[entry(0, 0, TEXT, 256, RO)]),
+            object(RECORD, 0, 5, 0, &list::<5>(0, U32, 32, RO)),
         ],
     };
 
@@ -3978,66 +3620,18 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_16,
         objects: &[
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                1,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                14,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                35,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                48,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                69,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                82,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                103,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                116,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                137,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                150,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                171,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<6>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                184,
-            ),
+            constant(RECORD, 1, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 14, &list::<6>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 35, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 48, &list::<6>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 69, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 82, &list::<6>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 103, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 116, &list::<6>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 137, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 150, &list::<6>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 171, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 184, &list::<6>(CONSTANT, U32, 32, RO)),
         ],
     };
 
@@ -4049,66 +3643,18 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_1A,
         objects: &[
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                205,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                222,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                235,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                252,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                265,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                282,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                295,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                312,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                325,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                342,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<5>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                355,
-            ),
-            constant(
-                ObjectCode::Record,
-                &const { EntryInfo::list::<4>(CONSTANT, DataType::UNSIGNED32, 32, RO) },
-                372,
-            ),
+            constant(RECORD, 205, &list::<5>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 222, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 235, &list::<5>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 252, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 265, &list::<5>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 282, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 295, &list::<5>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 312, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 325, &list::<5>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 342, &list::<4>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 355, &list::<5>(CONSTANT, U32, 32, RO)),
+            constant(RECORD, 372, &list::<4>(CONSTANT, U32, 32, RO)),
         ],
     };
 
@@ -4119,73 +3665,13 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_1C,
         objects: &[
-            object(
-                ObjectCode::Array,
-                0,
-                6,
-                &const { EntryInfo::list::<5>(0, DataType::UNSIGNED8, 8, RO) },
-                0,
-            ),
-            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 385),
-            constant(ObjectCode::Array, &[entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO)], 385),
-            object(
-                ObjectCode::Array,
-                0,
-                7,
-                &const { EntryInfo::counted::<8>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
-                0,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                8,
-                &const { EntryInfo::counted::<7>(DataType::UNSIGNED16, 16, RO.and(PRE_OP)) },
-                0,
-            ),
-            object(
-                ObjectCode::Record,
-                0,
-                9,
-                &[
-                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                    entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                    entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                    entry(3, 2, DataType::UNSIGNED32, 32, RO),
-                    entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                    entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                    entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                    entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                    entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                    entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                    entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                    entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                    entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                    entry(32, 12, DataType::BOOLEAN, 1, RO),
-                ],
-                386,
-            ),
-            object(
-                ObjectCode::Record,
-                0,
-                10,
-                &[
-                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                    entry(1, 0, DataType::UNSIGNED16, 16, RW),
-                    entry(2, 1, DataType::UNSIGNED32, 32, RW),
-                    entry(3, 2, DataType::UNSIGNED32, 32, RW),
-                    entry(4, 3, DataType::UNSIGNED16, 16, RO),
-                    entry(5, 4, DataType::UNSIGNED32, 32, RO),
-                    entry(6, 5, DataType::UNSIGNED32, 32, RO),
-                    entry(7, 6, DataType::UNSIGNED32, 32, RO),
-                    entry(8, 7, DataType::UNSIGNED16, 16, RW),
-                    entry(9, 8, DataType::UNSIGNED32, 32, RO),
-                    entry(10, 9, DataType::UNSIGNED32, 32, RW),
-                    entry(11, 10, DataType::UNSIGNED16, 16, RO),
-                    entry(12, 11, DataType::UNSIGNED16, 16, RO),
-                    entry(32, 12, DataType::BOOLEAN, 1, RO),
-                ],
-                386,
-            ),
+            object(ARRAY, 0, 6, 0, &list::<5>(0, U8, 8, RO)),
+            constant(ARRAY, 385, &[entry(0, CONSTANT, U8, 8, RO)]),
+            constant(ARRAY, 385, &[entry(0, CONSTANT, U8, 8, RO)]),
+            object(ARRAY, 0, 7, 0, &counted::<8>(U16, 16, RO.and(PRE_OP))),
+            object(ARRAY, 0, 8, 0, &counted::<7>(U16, 16, RO.and(PRE_OP))),
+            object(RECORD, 0, 9, 386, &ENTRIES_1C32),
+            object(RECORD, 0, 10, 386, &ENTRIES_1C33),
         ],
     };
 
@@ -4196,75 +3682,15 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_50,
         objects: &[
-            object(
-                ObjectCode::Array,
-                0,
-                11,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                387,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                12,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                387,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                13,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                387,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                14,
-                &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
-                0,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                15,
-                &[
-                    entry(0, 0, DataType::UNSIGNED8, 8, RO),
-                    entry(1, 1, DataType::INTEGER32, 32, RW),
-                    entry(2, 2, DataType::INTEGER32, 32, RW),
-                    entry(3, 3, DataType::INTEGER32, 32, RW),
-                    entry(4, 4, DataType::INTEGER32, 32, RW),
-                ],
-                0,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                16,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RW) },
-                387,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                17,
-                &const { EntryInfo::list::<7>(0, DataType::INTEGER32, 32, RO) },
-                387,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                18,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RO) },
-                388,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                19,
-                &const { EntryInfo::list::<5>(0, DataType::INTEGER32, 32, RO) },
-                0,
-            ),
+            object(ARRAY, 0, 11, 387, &list::<7>(0, I32, 32, RW)),
+            object(ARRAY, 0, 12, 387, &list::<7>(0, I32, 32, RW)),
+            object(ARRAY, 0, 13, 387, &list::<7>(0, I32, 32, RW)),
+            object(ARRAY, 0, 14, 0, &list::<5>(0, I32, 32, RO)),
+            object(ARRAY, 0, 15, 0, &ENTRIES_5010),
+            object(ARRAY, 0, 16, 387, &list::<7>(0, I32, 32, RW)),
+            object(ARRAY, 0, 17, 387, &list::<7>(0, I32, 32, RO)),
+            object(ARRAY, 0, 18, 388, &list::<3>(0, I32, 32, RO)),
+            object(ARRAY, 0, 19, 0, &list::<5>(0, I32, 32, RO)),
         ],
     };
 
@@ -4278,43 +3704,21 @@ pub mod dictionary {
         axis: 0,
         slots: &SLOTS_60,
         objects: &[
-            object(ObjectCode::Variable, 0, 20, &[entry(0, 0, DataType::UNSIGNED16, 16, RO)], 0),
-            object(ObjectCode::Variable, 0, 21, &[entry(0, 0, DataType::UNSIGNED16, 16, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 22, &[entry(0, 0, DataType::UNSIGNED16, 16, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 23, &[entry(0, 0, DataType::INTEGER8, 8, RW.and(RX))], 0),
-            object(ObjectCode::Variable, 0, 24, &[entry(0, 0, DataType::INTEGER8, 8, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 25, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 26, &[entry(0, 0, DataType::INTEGER32, 32, RW.and(RX))], 0),
-            object(
-                ObjectCode::Array,
-                0,
-                27,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW) },
-                388,
-            ),
-            object(
-                ObjectCode::Array,
-                0,
-                28,
-                &const { EntryInfo::list::<3>(0, DataType::INTEGER32, 32, RW) },
-                388,
-            ),
-            object(ObjectCode::Variable, 0, 29, &[entry(0, 0, DataType::INTEGER8, 8, RW)], 0),
-            object(ObjectCode::Variable, 0, 30, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
-            object(
-                ObjectCode::Record,
-                0,
-                31,
-                &[
-                    entry(0, CONSTANT, DataType::UNSIGNED8, 8, RO),
-                    entry(1, 0, DataType::UNSIGNED8, 8, RO.and(PRE_OP)),
-                    entry(2, 1, DataType::INTEGER8, 8, RO.and(PRE_OP)),
-                ],
-                388,
-            ),
-            object(ObjectCode::Variable, 0, 32, &[entry(0, 0, DataType::INTEGER32, 32, RO.and(TX))], 0),
-            object(ObjectCode::Variable, 0, 33, &[entry(0, 0, DataType::INTEGER32, 32, RO)], 0),
-            object(ObjectCode::Variable, 0, 34, &[entry(0, 0, DataType::INTEGER32, 32, RW)], 0),
+            object(VAR, 0, 20, 0, &[entry(0, 0, U16, 16, RO)]),
+            object(VAR, 0, 21, 0, &[entry(0, 0, U16, 16, RW.and(RX))]),
+            object(VAR, 0, 22, 0, &[entry(0, 0, U16, 16, RO.and(TX))]),
+            object(VAR, 0, 23, 0, &[entry(0, 0, I8, 8, RW.and(RX))]),
+            object(VAR, 0, 24, 0, &[entry(0, 0, I8, 8, RO.and(TX))]),
+            object(VAR, 0, 25, 0, &[entry(0, 0, I32, 32, RO.and(TX))]),
+            object(VAR, 0, 26, 0, &[entry(0, 0, I32, 32, RW.and(RX))]),
+            object(ARRAY, 0, 27, 388, &list::<3>(0, I32, 32, RW)),
+            object(ARRAY, 0, 28, 388, &list::<3>(0, I32, 32, RW)),
+            object(VAR, 0, 29, 0, &[entry(0, 0, I8, 8, RW)]),
+            object(VAR, 0, 30, 0, &[entry(0, 0, I32, 32, RW)]),
+            object(RECORD, 0, 31, 388, &ENTRIES_60C2),
+            object(VAR, 0, 32, 0, &[entry(0, 0, I32, 32, RO.and(TX))]),
+            object(VAR, 0, 33, 0, &[entry(0, 0, I32, 32, RO)]),
+            object(VAR, 0, 34, 0, &[entry(0, 0, I32, 32, RW)]),
         ],
     };
 
@@ -4324,7 +3728,7 @@ pub mod dictionary {
         first: 0x02,
         axis: 0,
         slots: &SLOTS_65,
-        objects: &[object(ObjectCode::Variable, 0, 35, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+        objects: &[object(VAR, 0, 35, 0, &[entry(0, 0, U32, 32, RO)])],
     };
 
     const SLOTS_67: [u8; 1] = positions(0xFF, &[0xFF]);
@@ -4333,7 +3737,7 @@ pub mod dictionary {
         first: 0xFF,
         axis: 0,
         slots: &SLOTS_67,
-        objects: &[object(ObjectCode::Variable, 0, 36, &[entry(0, 0, DataType::UNSIGNED32, 32, RO)], 0)],
+        objects: &[object(VAR, 0, 36, 0, &[entry(0, 0, U32, 32, RO)])],
     };
 
     /// The name of every object and entry, for a firmware that tells what is in its dictionary.

@@ -26,6 +26,7 @@ use proc_macro::TokenStream;
 /// | `path = ".."` | the description |
 /// | `module = ..` | the name of the module, by default the struct's in snake case |
 /// | `member = ".."` | the member of a family of devices that share a description |
+/// | `dictionary = false` | without the dictionary that a firmware keeps: a master does without |
 /// | `runtime = ..` | the path of `devc-runtime`, by default `::devc_runtime` |
 #[proc_macro_derive(Device, attributes(device))]
 pub fn device(input: TokenStream) -> TokenStream {

@@ -35,4 +35,4 @@ pub mod unit;
 
 #[cfg(feature = "derive")]
 pub use devc_macros::Device;
-pub use device::Device;
+pub use device::{Device, Family};

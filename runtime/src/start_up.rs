@@ -3,11 +3,16 @@
 //! The order is that of ETG.1020: assignments are cleared before mappings change, and a count is written after what
 //! it counts. What the device does not let a master write is not in a list.
 
+mod bring_up;
+
 use core::fmt;
 
-use crate::Device;
+use crate::Family;
 use crate::object::Address;
-use crate::pdo::{Carries, Direction, MappedPdo, ProcessImage, Rx, Tx};
+use crate::pdo::{Direction, MappedPdo, ProcessImage, Rx, Tx, refuse};
+use crate::text::Text;
+
+pub use bring_up::{AxisObjects, BringUp};
 
 /// A write through the mailbox: an SDO download on the way to process data.
 ///
@@ -72,23 +77,6 @@ impl fmt::Display for Write {
     }
 }
 
-/// What of a device bears on its bring-up.
-pub trait BringUp: Device {
-    /// Whether a master may write mapping objects.
-    const MAPS: bool;
-    /// The objects of each axis that does something with them.
-    const AXES: &'static [AxisObjects];
-}
-
-/// The objects of an axis that are written once, before it is run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct AxisObjects {
-    /// Modes of operation, 0x6060 on the first axis.
-    pub mode: Option<u16>,
-    /// Interpolation time period, 0x60C2 on the first axis.
-    pub cycle: Option<u16>,
-}
-
 /// What a master chooses: process data, and if need be mode and cycle time. The list follows from it, while the code
 /// is compiled:
 ///
@@ -108,17 +96,45 @@ pub struct StartUp {
 }
 
 impl StartUp {
-    /// The process data of both directions.
+    /// The process data of both directions. Where several members of a family take it, they have to be brought up
+    /// alike: else the list is made [`on`](Self::on) one of them.
+    #[track_caller]
     pub const fn of<O, I>() -> Self
     where
         O: ProcessImage<Direction = Rx>,
         I: ProcessImage<Direction = Tx, Device = O::Device>,
-        O::Device: BringUp + Carries<Rx> + Carries<Tx>,
+        O::Device: Family,
     {
-        let outputs = if <O::Device as Carries<Rx>>::SYNC_MANAGER.assignable { Some(O::PDOS) } else { None };
-        let inputs = if <O::Device as Carries<Tx>>::SYNC_MANAGER.assignable { Some(I::PDOS) } else { None };
-        let (maps, axes) = (<O::Device as BringUp>::MAPS, <O::Device as BringUp>::AXES);
-        Self { outputs, inputs, maps, axes, mode: None, cycle: None }
+        let (mut members, mut found) = (<O::Device as Family>::MEMBERS, None);
+        while let Some((member, rest)) = members.split_first() {
+            if member.takes::<O>() && member.takes::<I>() {
+                match found {
+                    Some(first) if !member.is_like::<O, I>(first) => refuse(member.differs(first)),
+                    Some(_) => {}
+                    None => found = Some(member),
+                }
+            }
+            members = rest;
+        }
+        match found {
+            Some(member) => Self::on::<O, I>(member),
+            None => refuse(Text::new().text("no device takes both images")),
+        }
+    }
+
+    /// The process data of both directions on one of the devices that have it.
+    #[track_caller]
+    pub const fn on<O, I>(device: &BringUp) -> Self
+    where
+        O: ProcessImage<Direction = Rx>,
+        I: ProcessImage<Direction = Tx, Device = O::Device>,
+    {
+        if !device.takes::<O>() || !device.takes::<I>() {
+            refuse(Text::new().text(device.name).text(" does not take these images"));
+        }
+        let outputs = if device.is_assignable::<Rx>() { Some(O::PDOS) } else { None };
+        let inputs = if device.is_assignable::<Tx>() { Some(I::PDOS) } else { None };
+        Self { outputs, inputs, maps: device.maps, axes: device.axes, mode: None, cycle: None }
     }
 
     /// With a mode of operation for each axis that has one.

@@ -7,10 +7,12 @@ mod clocks;
 mod device;
 mod dictionary;
 mod node;
+mod texts;
 
 pub use clocks::{OpMode, Signal};
 pub use device::{CoE, Device, Eeprom, Fmmu, InitCommand, Pdo, PdoEntry, SyncManager};
 pub use dictionary::{DataType, Dictionary, Flags, Info, Object, SubItem, Value};
+pub use texts::Message;
 
 use node::{Node, children, number, only, text};
 

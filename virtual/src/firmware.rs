@@ -4,15 +4,27 @@ use std::time::Duration;
 
 use devc_runtime::esm::{AlControl, AlStatus, AlStatusCode, Areas, Configured, Lengths};
 
+use crate::{Clocks, Event};
+
 /// The firmware of a device, as its EtherCAT subdevice controller (ESC) sees it: the controller has the memory, the
 /// sync managers and the wire; the firmware has the states, the mailbox and what process data means.
 pub trait Firmware {
-    /// A master wrote AL control. `managers` are the settings of sync managers 0 to 3 at that moment.
+    /// A master wrote AL control. `managers` are the settings of the sync managers at that moment, in the order of their roles.
     fn request(&mut self, control: AlControl, managers: &[Configured; 4]);
+
+    /// What a master has set of the distributed clocks, told before each request. It makes nothing of them unless it says
+    /// otherwise.
+    fn clocked(&mut self, _clocks: Clocks) {}
 
     /// What the sync managers have to be: where they may lie, and the present lengths of process data. A master is told by it
     /// what is wrong with its settings.
     fn expected(&mut self) -> (Areas, Lengths);
+
+    /// Which sync manager each role has, in the order of settings: mailbox from and to the master, outputs, inputs. It is the
+    /// usual order unless it says otherwise; a role that there is not has a number beyond all.
+    fn numbers(&self) -> [usize; 4] {
+        [0, 1, 2, 3]
+    }
 
     /// What AL status and AL status code show.
     fn status(&self) -> (AlStatus, AlStatusCode);
@@ -36,6 +48,11 @@ pub trait Firmware {
 
     /// Time goes on.
     fn step(&mut self, elapsed: Duration);
+
+    /// What it has to say of what a master did, since it was asked last.
+    fn take_events(&mut self) -> Vec<Event> {
+        Vec::new()
+    }
 }
 
 impl<F: Firmware + ?Sized> Firmware for Box<F> {
@@ -43,8 +60,16 @@ impl<F: Firmware + ?Sized> Firmware for Box<F> {
         (**self).request(control, managers);
     }
 
+    fn clocked(&mut self, clocks: Clocks) {
+        (**self).clocked(clocks);
+    }
+
     fn expected(&mut self) -> (Areas, Lengths) {
         (**self).expected()
+    }
+
+    fn numbers(&self) -> [usize; 4] {
+        (**self).numbers()
     }
 
     fn status(&self) -> (AlStatus, AlStatusCode) {
@@ -73,5 +98,9 @@ impl<F: Firmware + ?Sized> Firmware for Box<F> {
 
     fn step(&mut self, elapsed: Duration) {
         (**self).step(elapsed);
+    }
+
+    fn take_events(&mut self) -> Vec<Event> {
+        (**self).take_events()
     }
 }

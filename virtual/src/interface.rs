@@ -24,7 +24,11 @@ impl Interface {
     /// Waits for a frame for so long at most.
     pub fn wait(&self, timeout: Time) -> io::Result<()> {
         let micros = u64::try_from(timeout.as_micros()).unwrap_or(u64::MAX);
-        wait(self.socket.as_raw_fd(), Some(Duration::from_micros(micros)))
+        match wait(self.socket.as_raw_fd(), Some(Duration::from_micros(micros))) {
+            // a signal has come, which is for others
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => Ok(()),
+            waited => waited,
+        }
     }
 
     /// The next frame, if one has come.

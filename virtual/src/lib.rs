@@ -3,6 +3,7 @@
 //! A [`Subdevice`] is an EtherCAT subdevice controller with a [`Firmware`] behind it; a [`Wire`] takes frames through one or
 //! several of them, as bytes to bytes.
 
+mod clocks;
 mod cycles;
 mod described;
 pub mod drive;
@@ -17,8 +18,9 @@ mod subdevice;
 mod trace;
 mod wire;
 
+pub use clocks::Clocks;
 pub use cycles::Cycles;
-pub use event::{Event, ManagerFault, Wrong};
+pub use event::{Event, ManagerFault, Wrong, state_name};
 pub use firmware::Firmware;
 #[cfg(feature = "raw-socket")]
 pub use interface::Interface;

@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Configured};
 
-use crate::Firmware;
 use crate::cycles::Cycles;
 use crate::esc::Controller;
 use crate::event::{Event, faults};
 use crate::frame::Datagram;
 use crate::mail;
+use crate::{Clocks, Firmware};
 
 /// A subdevice: the controller on the wire, and behind it the firmware.
 ///
@@ -19,6 +19,10 @@ pub struct Subdevice<F> {
     /// The firmware.
     pub firmware: F,
     controller: Controller,
+    /// Which sync manager has which role.
+    numbers: [usize; 4],
+    /// Where it is on the wire, among how many.
+    place: (usize, usize),
     /// What AL status shows.
     status: (AlStatus, AlStatusCode),
     /// The sync managers of process data as the firmware has judged them.
@@ -48,6 +52,8 @@ impl<F: Firmware> Subdevice<F> {
         controller.show_status(status.0, status.1);
         let (last_mail, draft, inputs) = (Vec::new(), Vec::new(), Vec::new());
         Self {
+            numbers: firmware.numbers(),
+            place: (0, 1),
             firmware,
             controller,
             status,
@@ -60,6 +66,13 @@ impl<F: Firmware> Subdevice<F> {
         }
     }
 
+    /// Switched off and on again, with its firmware as it is then. What is in the EEPROM stays.
+    pub fn restart(&mut self, firmware: F) {
+        let (position, count) = self.place;
+        *self = Self::new(firmware, self.controller.image());
+        self.place(position, count);
+    }
+
     /// The state that AL status shows; none if it shows none.
     pub fn state(&self) -> Option<AlState> {
         state_of(self.status.0)
@@ -70,9 +83,14 @@ impl<F: Firmware> Subdevice<F> {
         self.cycles.take()
     }
 
-    /// The cycle of SYNC0, if a master has switched it on.
-    pub fn sync0_cycle(&self) -> Option<Duration> {
-        self.controller.sync0_cycle().map(|ns| Duration::from_nanos(ns.into()))
+    /// The signals of the distributed clocks that a master has activated.
+    pub fn clocks(&self) -> Clocks {
+        self.controller.clocks()
+    }
+
+    /// Another level at the input of a latch, 0 or 1, at this moment.
+    pub fn latch(&mut self, number: u16, is_high: bool) {
+        self.controller.latch(number, is_high);
     }
 
     /// What has happened since this was asked for last.
@@ -81,6 +99,7 @@ impl<F: Firmware> Subdevice<F> {
     }
 
     pub(crate) fn place(&mut self, position: usize, count: usize) {
+        self.place = (position, count);
         self.controller.place(position, count);
     }
 
@@ -106,6 +125,7 @@ impl<F: Firmware> Subdevice<F> {
         }
         self.watch_outputs();
         self.firmware.step(elapsed);
+        self.controller.events.extend(self.firmware.take_events());
         self.follow(None);
         if self.is_exchanging() && self.is_as_judged() {
             self.give_inputs();
@@ -113,7 +133,8 @@ impl<F: Firmware> Subdevice<F> {
     }
 
     fn request(&mut self, control: AlControl) {
-        let managers = self.controller.settings();
+        let managers = self.controller.settings(self.numbers);
+        self.firmware.clocked(self.controller.clocks());
         self.firmware.request(control, &managers);
         if !self.is_exchanging() {
             let [_, _, outputs, inputs] = managers;
@@ -131,7 +152,8 @@ impl<F: Firmware> Subdevice<F> {
         let is_new = (status, code) != before;
         let event = match asked {
             Some(asked) if code != AlStatusCode::NONE && AlState::of(asked.number()) != state => {
-                let faults = faults(code, self.firmware.expected(), &self.controller.settings());
+                let managers = self.controller.settings(self.numbers);
+                let faults = faults(code, self.firmware.expected(), &managers, self.numbers);
                 Some(Event::Refused { asked: AlState::of(asked.number()), code, faults })
             }
             None if is_new && code != AlStatusCode::NONE => Some(Event::Fell { state, code }),
@@ -151,7 +173,8 @@ impl<F: Firmware> Subdevice<F> {
     /// Takes a message and answers it, if the answer has a place; else it waits. Without a message, says what is left to say.
     fn exchange_mail(&mut self) {
         let Controller { memory, managers, events, .. } = &mut self.controller;
-        let [out, into, ..] = managers;
+        let [out, into, ..] = self.numbers;
+        let Ok([out, into]) = managers.get_disjoint_mut([out, into]) else { return };
         if into.take_repeat() && !self.last_mail.is_empty() {
             into.give(memory, &self.last_mail);
             return;
@@ -181,7 +204,7 @@ impl<F: Firmware> Subdevice<F> {
     /// Whether process data is as long as the firmware expects. A master that changes a sync manager of process data has to
     /// leave Safe-Operational before.
     fn is_as_judged(&mut self) -> bool {
-        let [_, _, outputs, inputs] = self.controller.settings();
+        let [_, _, outputs, inputs] = self.controller.settings(self.numbers);
         let is_as_judged = self.judged == [outputs, inputs];
         if !is_as_judged {
             self.controller.events.push(Event::ManagersChanged);
@@ -191,8 +214,8 @@ impl<F: Firmware> Subdevice<F> {
 
     fn take_outputs(&mut self) {
         let Controller { memory, managers, .. } = &mut self.controller;
-        let [_, _, outputs, ..] = managers;
-        if let Some(image) = outputs.take(memory) {
+        let [_, _, outputs, _] = self.numbers;
+        if let Some(image) = managers.get_mut(outputs).and_then(|manager| manager.take(memory)) {
             self.firmware.outputs(image);
         }
         if let Some(at) = self.controller.outputs_at.take() {
@@ -210,8 +233,8 @@ impl<F: Firmware> Subdevice<F> {
 
     fn give_inputs(&mut self) {
         let Controller { memory, managers, .. } = &mut self.controller;
-        let [_, _, _, inputs, ..] = managers;
-        if inputs.is_free() {
+        let [_, _, _, inputs] = self.numbers;
+        if let Some(inputs) = managers.get_mut(inputs).filter(|manager| manager.is_free()) {
             self.inputs.resize(inputs.settings().length.into(), 0);
             self.firmware.inputs(&mut self.inputs);
             inputs.give(memory, &self.inputs);

@@ -4,10 +4,16 @@ use std::fs::File;
 use std::io::{self, BufWriter};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
+use devc::text::characters::line;
 use devc_virtual::drive::Drive;
-use devc_virtual::{Interface, Trace, Way, Wire};
+use devc_virtual::{Event, Interface, Trace, Way, Wire};
 
-use super::{Fault, Told};
+use super::Told;
+use super::ending::Ending;
+use super::fault::Due;
+use super::screen::Screen;
+use super::store::Store;
+use super::table;
 use crate::outcome::{Failure, reason};
 use crate::report::Report;
 
@@ -23,8 +29,9 @@ pub(super) struct Bus {
     wire: Wire<Drive>,
     interface: Interface,
     trace: Option<Trace<BufWriter<File>>>,
-    /// Faults that are to come, each with its device and axis.
-    faults: Vec<(usize, usize, Fault)>,
+    store: Option<Store>,
+    /// What is to come.
+    dues: Vec<Due>,
     start: Instant,
     /// Up to when the devices know the time.
     known: Instant,
@@ -34,22 +41,18 @@ impl Bus {
     pub(super) fn new(
         wire: Wire<Drive>,
         interface: Interface,
-        trace: Option<Trace<BufWriter<File>>>,
-        faults: Vec<(usize, usize, Fault)>,
+        (trace, store): (Option<Trace<BufWriter<File>>>, Option<Store>),
+        dues: Vec<Due>,
     ) -> Self {
         let start = Instant::now();
-        Self { wire, interface, trace, faults, start, known: start }
+        Self { wire, interface, trace, store, dues, start, known: start }
     }
 
-    /// Serves a master, for a time or without end, and says what happens.
-    pub(super) fn serve(
-        &mut self,
-        duration: Option<Duration>,
-        mut told: Told,
-        report: &Report,
-    ) -> Result<(), Failure> {
+    /// Serves a master to the end, and says what happens.
+    pub(super) fn serve(&mut self, ending: &Ending, mut told: Told, report: &Report) -> Result<(), Failure> {
         let (mut looked, mut reported) = (self.start, self.start);
-        while duration.is_none_or(|duration| self.start.elapsed() < duration) {
+        let mut screen = Screen::of(report);
+        while !ending.has_come() {
             self.exchange().map_err(|error| {
                 Failure::new(format!("the network interface or the trace is lost: {}", reason(&error)))
             })?;
@@ -59,10 +62,10 @@ impl Bus {
                 if is_second {
                     reported = looked;
                 }
-                self.tell(&mut told, is_second, report);
+                self.tell(&mut told, is_second, screen.as_mut(), report)?;
             }
         }
-        Ok(())
+        self.tell(&mut told, false, screen.as_mut(), report)
     }
 
     /// Takes the frames that have come, or lets a tick go by.
@@ -99,31 +102,63 @@ impl Bus {
     }
 
     /// Provokes the faults whose time has come, and says what has happened.
-    fn tell(&mut self, told: &mut Told, is_second: bool, report: &Report) {
+    fn tell(
+        &mut self,
+        told: &mut Told,
+        is_second: bool,
+        screen: Option<&mut Screen>,
+        report: &Report,
+    ) -> Result<(), Failure> {
         let at = self.start.elapsed();
-        let (due, later) = self.faults.drain(..).partition(|(.., fault)| fault.after <= at);
-        self.faults = later;
-        let due: Vec<(usize, usize, Fault)> = due;
-        for (position, axis, fault) in due {
-            if let Some(subdevice) = self.wire.subdevices_mut().get_mut(position) {
-                subdevice.firmware.fault(axis, fault.code);
-            }
-        }
-        for (position, event) in self.wire.take_events() {
-            report.line(&told.event(at, position, &event));
-        }
+        self.provoke(at);
+        let events = self.wire.take_events();
+        self.keep(told, &events)?;
+        let mut lines: Vec<String> =
+            events.iter().map(|(position, event)| told.event(at, *position, event)).collect();
         for (position, subdevice) in self.wire.subdevices_mut().iter_mut().enumerate() {
-            for line in told.axes(at, position, &subdevice.firmware.axes()) {
-                report.line(&line);
-            }
+            lines.extend(told.axes(at, position, &subdevice.firmware.axes()));
             if is_second {
-                let (cycles, sync0) = (subdevice.take_cycles(), subdevice.sync0_cycle());
-                told.cycles(at, position, &cycles, sync0).iter().for_each(|line| report.line(line));
+                let (cycles, clocks) = (subdevice.take_cycles(), subdevice.clocks());
+                lines.extend(told.cycles(at, position, &cycles, clocks));
+            }
+        }
+        match screen {
+            None => lines.iter().for_each(|line| report.line(line)),
+            Some(screen) => {
+                let lines: Vec<String> = lines.iter().map(|text| line(text).into_owned()).collect();
+                let rows = table::rows(&told.shown(self.wire.subdevices()), Screen::size());
+                report.output(&screen.update(&lines, rows));
             }
         }
         if let Some(trace) = &mut self.trace {
             // what is lost here is told when more is written
             let _ = trace.flush();
         }
+        Ok(())
+    }
+
+    fn provoke(&mut self, at: Duration) {
+        let subdevices = self.wire.subdevices_mut();
+        self.dues.retain(|due| {
+            let is_due = due.after <= at;
+            if let Some(subdevice) = subdevices.get_mut(due.position).filter(|_| is_due) {
+                due.happen(&mut subdevice.firmware);
+            }
+            !is_due
+        });
+    }
+
+    /// Keeps what was stored or restored.
+    fn keep(&mut self, told: &Told, events: &[(Option<usize>, Event)]) -> Result<(), Failure> {
+        let Some(store) = &mut self.store else { return Ok(()) };
+        for (position, event) in events {
+            let Some(position) = position.filter(|_| matches!(event, Event::Stored | Event::Restored)) else {
+                continue;
+            };
+            if let Some(subdevice) = self.wire.subdevices().get(position) {
+                store.keep(position, told.name(position), subdevice.firmware.stored())?;
+            }
+        }
+        Ok(())
     }
 }

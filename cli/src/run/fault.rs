@@ -1,15 +1,50 @@
-//! Faults that are provoked.
+//! Faults that are provoked, and pulses that are given.
 
 use std::str::FromStr;
 use std::time::Duration;
 
-/// A fault as it is asked for: on an axis, maybe of a certain device, after a time.
+use devc_virtual::drive::Drive;
+
+/// A fault or a pulse as it is asked for: on an axis, maybe of a certain device, after a time.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Fault {
     pub(super) device: Option<String>,
     pub(super) axis: String,
     pub(super) code: u16,
     pub(super) after: Duration,
+}
+
+/// What is done to an axis at a time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Deed {
+    /// A fault with the code.
+    Fault,
+    /// A pulse to the touch probe that has the code as its number, from 1.
+    Pulse,
+}
+
+/// Something that is to come.
+#[derive(Debug, Clone)]
+pub(super) struct Due {
+    pub(super) position: usize,
+    pub(super) axis: usize,
+    pub(super) deed: Deed,
+    pub(super) code: u16,
+    pub(super) after: Duration,
+}
+
+impl Due {
+    /// Does it.
+    pub(super) fn happen(&self, drive: &mut Drive) {
+        match self.deed {
+            Deed::Fault => drive.fault(self.axis, self.code),
+            Deed::Pulse => {
+                let probe = usize::from(self.code).saturating_sub(1);
+                drive.signal(self.axis, probe, true);
+                drive.signal(self.axis, probe, false);
+            }
+        }
+    }
 }
 
 impl FromStr for Fault {

@@ -151,3 +151,78 @@ fn a_drive_is_asked_for_its_words() {
     assert!(asked("object", "0x2000").contains("Ramp time"));
     desk.devc(&["explain", "devices/d", "error", "0x7305"]).ends(2, &["nothing is known"]);
 }
+
+/// The codes are those of ETG.1000.6; they hold for every device.
+#[test]
+fn an_abort_code_is_told() {
+    for words in ["0x06040041", "abort 0x06040041", "SDO abort code 0x06040041", "not mappable"] {
+        ask(words, &["SDO abort code 0x06040041 of ethercat: Not mappable", "ETG.1000.6"]);
+    }
+    let desk = Desk::new(&[("drive", BYTES)]);
+    desk.devc(&["explain", "drive", "abort", "0x06010003"]).ends(0, &["Subindex 0 is not 0"]);
+}
+
+const BYTES: &str = r#"
+source   = "page 7"
+profiles = ["ethercat", "cia402"]
+
+[device]
+name   = "Drive"
+vendor = "Example"
+
+[identity]
+vendor-id    = 0x76D
+product-code = 3
+revision     = 1
+
+[units.speed]
+quantity     = "velocity"
+symbol       = "rpm"
+raw-per-unit = 10
+
+[objects.0x1001]
+[objects.0x6041]
+[objects.0x2000]
+name = "Speed"
+type = "INT16"
+unit = "speed"
+[objects.0x2001]
+name   = "Direction"
+type   = "BIT2"
+values = { 0 = "none", 2 = "left" }
+
+[words.statusword]
+
+[states.operation-enabled]
+
+[errors.0x2310]
+remedy = "Move less."
+
+[tx-pdos.0x1A00]
+name    = "Inputs"
+entries = ["statusword", "speed", "direction", { bits = 6 }]
+
+[telegrams.hello]
+name = "Hello"
+[telegrams.hello.bytes]
+0        = { name = "service", values = { 7 = "greet" } }
+"1..=2"  = "number"
+"#;
+
+/// 0x0237 is Operation enabled, and 0x2310 continuous overcurrent (CiA 402); -1500 of ten to the rpm are -150 rpm.
+#[test]
+fn bytes_are_taken_apart_for_a_drive() {
+    let desk = Desk::new(&[("drive", BYTES)]);
+    for pdo in ["0x1A00", "inputs"] {
+        let said =
+            ["bytes 0 to 1", "0x6041:00", "shows Operation enabled", "-1500, -150 rpm", "2: left", "page 7"];
+        desk.devc(&["explain", "drive", pdo, "37 02 24 FA 02"]).ends(0, &said);
+        desk.devc(&["explain", "drive", pdo, "37", "02", "24", "FA", "02"]).ends(0, &said);
+    }
+    desk.devc(&["explain", "drive", "0x1A00", "37 02"]).ends(0, &["There are 2 bytes", "missing"]);
+    let said = ["error 0x2310, Continuous over", "0x02", "01 02 03 04 05", "Move less.", "page 7"];
+    desk.devc(&["explain", "drive", "emcy", "10 23 02 01 02 03 04 05"]).ends(0, &said);
+    desk.devc(&["explain", "drive", "emcy", "00 00 00 00 00 00 00 00"]).ends(0, &["no error any more"]);
+    desk.devc(&["explain", "drive", "hello", "07 34 12"]).ends(0, &["07: greet", "34 12", "page 7"]);
+    desk.devc(&["explain", "drive", "0x1A01", "07 34 12"]).ends(2, &["nothing is known"]);
+}

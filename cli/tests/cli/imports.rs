@@ -7,7 +7,7 @@ fn esi() -> String {
     let device = |name: &str, code: u32, revision: u32| {
         format!(
             "<Device Physics=\"YY\"><Type ProductCode=\"{code}\" RevisionNo=\"{revision}\">{name}</Type>\
-             <Name>{name}</Name><GroupType>G</GroupType>\n<URL>http://example.org</URL></Device>"
+             <Name>{name}</Name><GroupType>G</GroupType>\n<Comment>old stock</Comment></Device>"
         )
     };
     format!(
@@ -32,7 +32,7 @@ fn an_import_is_a_description_that_devc_checks_and_builds() {
     assert_eq!(run.code, Some(0), "{}", run.err);
     assert_eq!(desk.list("devices/drive-1"), ["device.toml"]);
     assert!(desk.read("devices/drive-1/device.toml").contains("revision     = 0x00000002"));
-    assert!(run.err.contains("lost: Device/URL, `http://example.org`, at 3:1"), "{}", run.err);
+    assert!(run.err.contains("lost: Device/Comment, `old stock`, at 3:1"), "{}", run.err);
     assert_eq!(desk.devc(&["check", "devices/drive-1"]).code, Some(0));
     assert_eq!(desk.devc(&["build", "devices/drive-1"]).code, Some(0));
 }

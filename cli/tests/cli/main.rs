@@ -6,6 +6,7 @@ mod arguments;
 #[cfg(unix)]
 mod at_once;
 mod authoring;
+mod book;
 mod explain;
 mod findings;
 mod fixes;

@@ -41,6 +41,13 @@ fn a_pipe_is_not_waited_for() {
     }
 }
 
+#[test]
+fn a_pipe_in_a_repository_stays() {
+    let desk = Desk::sound();
+    desk.pipe(".gitignore");
+    desk.devc(&["init"]).ends(0, &[".gitignore: is there, and stays as it is"]);
+}
+
 /// A description may be a link: to a device it leads to no end.
 #[test]
 fn a_device_is_not_read() {

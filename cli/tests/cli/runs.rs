@@ -1,6 +1,6 @@
 //! `devc run`, as far as it goes without a network.
 
-use super::Desk;
+use super::{Desk, SOUND};
 
 #[test]
 fn an_interface_that_there_is_not_is_told() {
@@ -16,6 +16,19 @@ fn a_description_with_errors_does_not_run() {
     let desk = Desk::sound();
     desk.put("devices/drive/device.toml", "[device]\nname = 1");
     desk.devc(&["run", "devices/drive", "--interface", "none"]).ends(1, &["error"]);
+}
+
+/// A trace is a new file: what `--trace` is put in front of by mistake stays as it is.
+#[test]
+fn a_trace_replaces_nothing() {
+    let desk = Desk::sound();
+    desk.put("frames.pcapng", "mine");
+    for name in ["frames.pcapng", "devices/drive/device.toml", "devices"] {
+        desk.devc(&["run", "devices/drive", "-i", "none", "--trace", name])
+            .ends(2, &[&format!("`{name}` is there already"), "--trace"]);
+    }
+    assert_eq!(desk.read("frames.pcapng"), "mine");
+    assert_eq!(desk.read("devices/drive/device.toml"), SOUND);
 }
 
 #[test]

@@ -4,7 +4,11 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::expect_used, clippy::unwrap_used, clippy::panic, clippy::print_stderr)] // a test may
 
-use std::io::{BufRead, BufReader};
+mod configurations;
+mod dictionary;
+mod terminal;
+
+use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -16,6 +20,9 @@ const PYTHON: &str = "python3";
 /// The ends of the cable.
 const MASTER: &str = "veth-master";
 const DEVICES: &str = "veth-devices";
+
+/// All devices that are shipped, in the order of the cable.
+const NINE: [&str; 3] = ["devices/c887", "devices/s700", "devices/pmc-sc6"];
 
 /// A network namespace with a cable in it, and the devices at one end.
 struct Network {
@@ -70,15 +77,35 @@ impl Network {
         assert!(master.status.success(), "{said}{}", String::from_utf8_lossy(&master.stdout));
         serde_json::from_slice(&master.stdout).expect("JSON")
     }
+
+    /// Lets SOEM do what a script has it do, and tells what that says of each subdevice or round.
+    fn ask(&self, script: &str, asked: &Value) -> Vec<Value> {
+        let mut master = self.command(PYTHON);
+        let master = master.args([&format!("cli/tests/soem/{script}"), MASTER]);
+        let master = master.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut master = master.spawn().expect("Python runs");
+        let mut questions = master.stdin.take().expect("a pipe");
+        questions.write_all(asked.to_string().as_bytes()).expect("it is read");
+        drop(questions);
+        let told = master.wait_with_output().expect("it ends");
+        assert!(told.status.success(), "{}", String::from_utf8_lossy(&told.stderr));
+        serde_json::from_slice(&told.stdout).expect("JSON")
+    }
+}
+
+impl Network {
+    /// Ends devc, if it has not ended.
+    fn stop(&mut self) {
+        if let Some(mut devc) = self.devc.take() {
+            let _ = devc.kill();
+            let _ = devc.wait();
+        }
+    }
 }
 
 impl Drop for Network {
     fn drop(&mut self) {
-        if let Some(devc) = &mut self.devc {
-            // it has gone, or it goes now
-            let _ = devc.kill();
-            let _ = devc.wait();
-        }
+        self.stop();
         ip(&["netns", "delete", &self.name]);
     }
 }
@@ -134,12 +161,39 @@ fn both_axes_of_the_pilz_drive_are_moved() {
 #[test]
 fn nine_devices_on_one_cable_come_to_operational() {
     let Some(mut network) = network("nine") else { return };
-    network.run(&["devices/c887", "devices/s700", "devices/pmc-sc6"]);
+    network.run(&NINE);
     let seen = network.master(1_000, 0);
     assert_eq!(seen["count"], 9);
+    // SOEM reads the EEPROM of one of several with the same identity, and so calls all S devices as the first
+    let names: Vec<&Value> =
+        seen["devices"].as_array().expect("a list").iter().map(|it| &it["name"]).collect();
+    let expected = dictionary::described().into_iter().map(|device| {
+        if device.type_name.starts_with('S') && device.type_name.len() == 4 {
+            "S300".to_owned()
+        } else {
+            device.type_name
+        }
+    });
+    assert_eq!(names, expected.map(Value::from).collect::<Vec<_>>().iter().collect::<Vec<_>>());
     let lengths: Vec<&Value> =
         seen["devices"].as_array().expect("a list").iter().map(|it| &it["lengths"]).collect();
     let expected = [[42, 66], [6, 6], [6, 6], [6, 6], [6, 6], [46, 58], [23, 29], [46, 58], [23, 29]];
     assert_eq!(lengths, expected.map(|lengths| json!(lengths)).iter().collect::<Vec<_>>());
     assert_eq!((&seen["wrong"], &seen["states"]), (&json!(0), &json!(vec![8; 9])));
+}
+
+/// CiA 301: `save` in 0x1010:01 stores all.
+#[test]
+fn what_a_master_stores_is_there_in_the_next_run() {
+    let Some(mut network) = network("stored") else { return };
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("stored.json");
+    let arguments = ["virtual/tests/shared/own.toml", "--store", file.to_str().expect("text")];
+    network.run(&arguments);
+    let writes = json!([[[[0x2000, 0, "0900"], [0x1010, 1, "73617665"]]]]);
+    assert_eq!(network.ask("configure.py", &writes)[0]["states"], json!([8]));
+    network.stop();
+    network.run(&arguments);
+    let read = network.ask("dictionary.py", &json!([[[[0x2000, 0], [0x1010, 1]], false]]));
+    assert_eq!(read[0]["values"], json!(["0900", "01000000"]));
 }

@@ -28,7 +28,7 @@ def main(interface, cycles, axes):
         master.config_dc()
         for device in master.slaves:
             device.dc_sync(True, 2_000_000)
-            device.set_watchdog("processdata", 2_000)
+            watched(device)
         for device, told in zip(master.slaves, seen["devices"]):
             told["lengths"] = [len(device.output), len(device.input)]
         check(master, pysoem.SAFEOP_STATE, 10_000_000)
@@ -58,6 +58,16 @@ def main(interface, cycles, axes):
         print(json.dumps(seen))
     finally:
         master.close()
+
+
+def watched(device):
+    """Sets the watchdog of outputs to two seconds. SOEM waits 2 ms for a register, which a busy machine may take."""
+    for _ in range(100):
+        try:
+            return device.set_watchdog("processdata", 2_000)
+        except pysoem.WkcError:
+            pass
+    raise SystemExit(f"the watchdog of {device.name} cannot be set")
 
 
 def move(master, device, axes):

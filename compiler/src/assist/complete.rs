@@ -30,8 +30,9 @@ pub struct Completion {
     pub is_key: bool,
 }
 
-/// All that can be written at a byte of a text.
+/// All that can be written at a byte of a text. Within a character that is before it, and behind the end at the end.
 pub fn complete(text: &str, offset: usize, knowledge: Option<&Knowledge>) -> Vec<Completion> {
+    let offset = (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or_default();
     let cursor = Cursor::at(text, offset);
     let before = text.get(..offset).unwrap_or(text);
     let start = before.len() - word(before).len();
@@ -239,4 +240,20 @@ fn kind(shape: Shape) -> &'static str {
         ("string", "text"),
     ];
     kinds.iter().find(|(kind, _)| shape.is(kind)).map_or("", |(_, word)| word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::complete;
+
+    #[test]
+    fn what_is_replaced_lies_in_the_text() {
+        for (text, offset) in [("é", 1), ("", 3), ("[device]\nna", 400)] {
+            let completions = complete(text, offset, None);
+            assert!(!completions.is_empty(), "{text:?} at {offset}");
+            for it in completions {
+                assert!(text.get(it.replaces.clone()).is_some(), "{text:?} at {offset}: {it:?}");
+            }
+        }
+    }
 }

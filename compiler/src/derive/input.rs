@@ -9,8 +9,11 @@ use super::module_name;
 use super::record::{check_generics, fields, item};
 use super::settings::{Settings, Vocabulary};
 
-const DEVICE: Vocabulary =
-    Vocabulary { attribute: "device", keys: &["path", "runtime", "module", "member"], takes_entry: false };
+const DEVICE: Vocabulary = Vocabulary {
+    attribute: "device",
+    keys: &["path", "runtime", "module", "member", "dictionary"],
+    takes_entry: false,
+};
 
 /// The struct and what its attribute says.
 #[derive(Debug)]
@@ -27,6 +30,8 @@ pub(super) struct Input {
     pub(super) module: Ident,
     /// The member of a family.
     pub(super) member: Option<String>,
+    /// Whether the module has the dictionary for a firmware.
+    pub(super) dictionary: bool,
 }
 
 impl Input {
@@ -45,13 +50,15 @@ impl Input {
         let path = settings.text("path").and_then(|path| path.ok_or_else(missing));
         let module = settings.name("module", Ident::parse, "name of a module");
         let names = both(settings.runtime(), module);
-        let ((path, member), (runtime, module)) = both(both(path, settings.text("member")), names)?;
+        let member = both(settings.text("member"), settings.choice("dictionary"));
+        let ((path, (member, dictionary)), (runtime, module)) = both(both(path, member), names)?;
         Ok(Self {
             path: path.value(),
             span: path.span(),
             runtime,
             module: module.unwrap_or_else(|| module_name(&name)),
             member: member.map(LitStr::value),
+            dictionary: dictionary.unwrap_or(true),
             name,
         })
     }

@@ -78,7 +78,8 @@ fn choose<'f>(input: &Input, family: &'f Family) -> Result<&'f Device, TokenStre
 
 fn module(input: &Input, device: &Device) -> TokenStream {
     let (name, module, runtime) = (&input.name, &input.module, &input.runtime);
-    let options = Options { runtime: runtime.clone(), device: Some(name.clone()) };
+    let options =
+        Options { runtime: runtime.clone(), device: Some(name.clone()), dictionary: input.dictionary };
     let (identity, content) = (identity(device, name, &quote!(#runtime::Device)), member(device, &options));
     quote! {
         #identity

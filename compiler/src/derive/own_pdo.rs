@@ -176,6 +176,8 @@ impl OwnPdo {
                     const MAPPING: &'static [#runtime::pdo::Mapping] = &TABLE[0];
                     const ALL: &'static [#runtime::pdo::MappedPdo] =
                         &#runtime::pdo::own::<#free, #count, AXES>(TABLE);
+                    const MEMBERS: #runtime::pdo::Members =
+                        <#free as #runtime::pdo::MappingObject>::MEMBERS;
                 }
             };
         }

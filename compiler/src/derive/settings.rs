@@ -5,7 +5,7 @@ use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::discouraged::Speculative;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Error, Expr, Lit, LitStr, Path, Result, Token};
+use syn::{Attribute, Error, Expr, ExprLit, Lit, LitStr, Path, Result, Token};
 
 use super::errors::all;
 use super::expression::{bare, check_end, expression, number, text, up_to_comma};
@@ -106,6 +106,15 @@ impl Settings {
         let Some(value) = self.value(key)? else { return Ok(None) };
         let expected = || Error::new_spanned(value, format!("expected `{key} = \"..\"`, a plain text"));
         text(value).map(Some).ok_or_else(expected)
+    }
+
+    /// Whether a key is set to `true`; none if it is not set.
+    pub(super) fn choice(&self, key: &str) -> Result<Option<bool>> {
+        let Some(value) = self.value(key)? else { return Ok(None) };
+        match bare(value) {
+            Expr::Lit(ExprLit { lit: Lit::Bool(choice), .. }) => Ok(Some(choice.value)),
+            _ => Err(Error::new_spanned(value, format!("expected `{key} = true` or `{key} = false`"))),
+        }
     }
 
     /// The number that a key is set to.

@@ -53,6 +53,8 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["sync_modes", rest @ ..] => timing::sync_mode(versions, rest, difference),
         ["cycle_times", rest @ ..] => timing::cycle_time(versions, rest, difference),
         ["dead_time", rest @ ..] => timing::dead_time(versions, rest, difference),
+        ["ebus_current"] => transport::current(versions),
+        ["diagnosis", rest @ ..] => words::message(rest, difference),
         ["words", _, rest @ ..] => words::word(rest, difference),
         ["states", rest @ ..] => machine::state(rest, difference),
         ["commands", rest @ ..] => machine::command(rest, difference),
@@ -62,7 +64,9 @@ pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Differen
         ["modules", ..] => &kinds::CHANGED_SLOTS,
         ["modes", rest @ ..] => modes::mode(versions, rest, difference)?,
         ["homing_methods", rest @ ..] => modes::homing_method(versions, rest, difference)?,
-        ["errors" | "vendor_codes" | "al_status_codes", rest @ ..] => words::error(rest, difference)?,
+        ["errors" | "vendor_codes" | "al_status_codes" | "abort_codes", rest @ ..] => {
+            words::error(rest, difference)?
+        }
         ["units", rest @ ..] => units::unit(versions, rest, difference)?,
         _ => device(path)?,
     };
@@ -79,7 +83,10 @@ fn device(path: &[&str]) -> Option<&'static Kind> {
         // What members are called is how they are found; what repeats follows from the objects.
         ["id"] | ["repetitions", ..] => return None,
         [
-            "vendor"
+            "names"
+            | "vendor"
+            | "url"
+            | "urls"
             | "title"
             | "about"
             | "models"

@@ -75,11 +75,13 @@ pub struct Options {
     /// Whether a reference for people shows how sure facts are: errata, remarks, assumptions, and marks beside what no
     /// source states. A vendor's customers may do without.
     pub editorial: bool,
+    /// Whether Rust has the dictionary for a firmware. Masters do without.
+    pub dictionary: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { editorial: true }
+        Self { editorial: true, dictionary: true }
     }
 }
 

@@ -52,7 +52,13 @@ pub(super) fn narrowed<'t>(trees: &'t Trees, phrase: &Phrase) -> (Vec<Entity<'t>
     }
     let behind =
         |entity: &Entity<'_>| phrase.behind(entity.section).or_else(|| phrase.behind(&noun(entity.section)));
-    match entities.iter().find_map(|entity| Some((entity.section, behind(entity)?))) {
+    // People say `abort` and `al` for short.
+    let short = |entity: &Entity<'_>| phrase.behind(entity.section.split('-').next()?);
+    let named = |behind: &dyn Fn(&Entity<'_>) -> Option<Phrase>| {
+        entities.iter().find_map(|entity| Some((entity.section, behind(entity)?)))
+    };
+    let found = named(&behind).or_else(|| named(&short));
+    match found {
         Some((section, rest)) => (entities.into_iter().filter(|it| it.section == section).collect(), rest),
         None => (entities, phrase),
     }

@@ -3,6 +3,7 @@
 //! Questions are asked of trees, as files of TOML are parsed into, so that a description can be asked as well.
 
 mod bits;
+mod bytes;
 mod entity;
 mod find;
 mod layout;
@@ -24,6 +25,7 @@ use crate::source::Table;
 use crate::source::{Loader, Sources, load};
 use crate::{diff, profiles, rules};
 pub use bits::word as explain_word;
+pub use bytes::bytes as explain_bytes;
 #[cfg(feature = "lsp")]
 use entity::Entity;
 use find::{Found, find};
@@ -70,7 +72,25 @@ pub fn explain_description(
     let document = load(loader, path, profiles::ALL, &mut sources, &mut diagnostics)?;
     let root = over_profile(&document.root, &document.profile);
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    Some(answer(&Trees::one(name, root, sources), &Phrase::new(words)))
+    let phrase = Phrase::new(words);
+    let own = answer(&Trees::one(name, root, sources), &phrase);
+    Some(own.or_else(|unknown| of_protocol(&phrase).ok_or(unknown)))
+}
+
+/// Sections of profiles that hold for every device, whether its description mentions them or not.
+const OF_THE_PROTOCOL: [&str; 1] = ["abort-codes"];
+
+/// What holds for every device.
+fn of_protocol(phrase: &Phrase) -> Option<String> {
+    let trees = Trees::of(profiles::ALL);
+    let parts = find(&trees, phrase).into_iter().filter_map(|found| match found {
+        Found::Entity(entity) if OF_THE_PROTOCOL.contains(&entity.section) => {
+            Some(view::of_entity(&trees, entity))
+        }
+        _ => None,
+    });
+    let parts: Vec<String> = parts.collect();
+    (!parts.is_empty()).then(|| parts.join("\n\n"))
 }
 
 /// Tells what a tree says of the thing under a key of a section, or of one of its entries; none if it has no such thing.

@@ -1,4 +1,4 @@
-//! From ESI to a description: the way back.
+//! From ESI, EDS and lists of SDO information to a description: the way back.
 //!
 //! A file is read as it is, what it means is put into the words of a description, and that is laid out as files. What of
 //! the file the description does not say is in the report; since elements remember whether they were read, nothing is
@@ -17,7 +17,7 @@ pub use report::{Note, NoteKind, Report};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use self::read::Element;
+use self::read::{Element, Format, List, Sheet};
 use self::recognise::Draft;
 use crate::diagnostic::Level;
 use crate::source::Memory;
@@ -45,53 +45,89 @@ pub struct Refusal {
     pub choices: Vec<String>,
 }
 
-/// Imports a device of an ESI file. `name` is the file's, for the description to refer to.
+/// Imports a device of an ESI file, of an EDS, or of the list that `ethercat sdos` prints. `name` is the file's, for the
+/// description to refer to.
 ///
 /// # Errors
-/// If the file is no ESI file, or has no such device, or several to choose from.
+/// If the file is none of these, or has no such device, or several to choose from.
 pub fn import(bytes: &[u8], name: &str, choice: &Choice) -> Result<Imported, Refusal> {
     let text = read::text(bytes).map_err(|why| Refusal { place: None, why, choices: Vec::new() })?;
-    let root = read::root(&text).map_err(|(at, why)| Refusal {
-        place: Some(place(&text, at)),
-        why,
-        choices: Vec::new(),
-    })?;
-    let elements = read::devices(&root);
-    let heads: Vec<_> = elements.iter().map(|element| read::head(element)).collect();
-    let chosen: Vec<&Element<'_>> =
-        choice.of(&heads)?.into_iter().filter_map(|place| elements.get(place).copied()).collect();
-    let esi = read::file(&root);
+    let format = Format::of(&text);
     let mut report = Report::default();
-    let members = chosen.iter().map(|element| member(&esi, element, &mut report));
-    let mut members = members
-        .collect::<Result<Vec<(String, String, Draft)>, _>>()
-        .map_err(|(at, why)| Refusal { place: Some(place(&text, at)), why, choices: Vec::new() })?;
+    let (name_of_it, draft) = match format {
+        Format::Esi => of_esi(&text, choice, &mut report)?,
+        Format::Eds => of_sheet(&text, &mut report)?,
+        Format::Sdos => of_list(&text, &mut report)?,
+    };
     let odd = text.char_indices().find(|(_, c)| *c != '\r' && hazard(*c).is_some());
     if let Some((at, what)) = odd.and_then(|(at, c)| Some((at, hazard(c)?))) {
         report.guess(read::At(at), what, "descriptions have no place for it, and � stands there instead");
     }
     report.finish(&text);
+    let id = crate::model::ids::id(&name_of_it);
+    let files = checked(&draft, format, name)?;
+    Ok(Imported { id, files, report })
+}
+
+/// A device of an ESI file, or several that are a family.
+fn of_esi(text: &str, choice: &Choice, report: &mut Report) -> Result<(String, Draft), Refusal> {
+    let root = read::root(text).map_err(|fault| refusal(text, fault))?;
+    let elements = read::devices(&root);
+    let heads: Vec<_> = elements.iter().map(|element| read::head(element)).collect();
+    let chosen: Vec<&Element<'_>> =
+        choice.of(&heads)?.into_iter().filter_map(|place| elements.get(place).copied()).collect();
+    let esi = read::file(&root);
+    let members = chosen.iter().map(|element| member(&esi, (&root, element), report));
+    let mut members =
+        members.collect::<Result<Vec<(String, String, Draft)>, _>>().map_err(|fault| refusal(text, fault))?;
     let alone = members.pop_if(|_| chosen.len() == 1).map(|(_, name, draft)| (name, draft));
     let family = || recognise::family(members).map(|draft| (draft.name(), draft));
-    let (name_of_it, draft) = alone.or_else(family).ok_or_else(|| choose::several(&heads))?;
-    let id = crate::model::ids::id(&name_of_it);
-    let files = checked(&draft, name)?;
-    Ok(Imported { id, files, report })
+    alone.or_else(family).ok_or_else(|| choose::several(&heads))
+}
+
+/// The device of an EDS.
+fn of_sheet(text: &str, report: &mut Report) -> Result<(String, Draft), Refusal> {
+    let sheet = Sheet::parse(text).map_err(|fault| refusal(text, fault))?;
+    let (vendor, mut device) = read::sheet_device(&sheet);
+    recognise::take_out(&mut device);
+    report.facts += sheet.facts();
+    let draft = recognise::device(&vendor, &device, report);
+    report.unread(sheet.unread());
+    Ok((draft.name(), draft))
+}
+
+/// The device that a list of SDO information is of.
+fn of_list(text: &str, report: &mut Report) -> Result<(String, Draft), Refusal> {
+    let List { vendor, device, facts, unread, without_rights } =
+        read::list(text).map_err(|fault| refusal(text, fault))?;
+    report.facts += facts;
+    if let Some(at) = without_rights {
+        report.guess(at, "who may read and write", "the list does not say it; all is taken for read only");
+    }
+    let draft = recognise::device(&vendor, &device, report);
+    report.unread(unread);
+    Ok((draft.name(), draft))
+}
+
+fn refusal(text: &str, (at, why): (read::At, String)) -> Refusal {
+    Refusal { place: Some(place(text, at)), why, choices: Vec::new() }
 }
 
 /// A device of a file as a description, with the word for it and its name.
 fn member(
     esi: &read::Esi,
-    element: &Element<'_>,
+    (root, element): (&Element<'_>, &Element<'_>),
     report: &mut Report,
 ) -> Result<(String, String, Draft), (read::At, String)> {
-    let device = read::device(element);
+    let (mut device, modules) = read::device(root, element);
     if let Some(at) = device.excess {
         return Err((at, "its dictionary has more values than devc holds".to_owned()));
     }
-    report.facts += element.facts();
+    let parts = || std::iter::once(&element).chain(&modules);
+    report.facts += parts().map(|part| part.facts()).sum::<usize>();
+    recognise::take_out(&mut device);
     let draft = recognise::device(esi, &device, report);
-    report.unread(element.unread());
+    parts().for_each(|part| report.unread(part.unread()));
     Ok((device.head.type_name, device.head.name, draft))
 }
 
@@ -102,8 +138,8 @@ fn place(text: &str, at: read::At) -> (usize, usize) {
 }
 
 /// The files, with the rules named that the vendor's data break. A description that devc refuses is not given out.
-fn checked(draft: &Draft, name: &str) -> Result<BTreeMap<String, String>, Refusal> {
-    let files = write::files(draft, name, &[]);
+fn checked(draft: &Draft, format: Format, name: &str) -> Result<BTreeMap<String, String>, Refusal> {
+    let files = write::files(draft, format, name, &[]);
     let compilation = compiled(&files);
     let errors = || compilation.diagnostics.iter().filter(|it| it.level == Level::Error);
     if let Some(fault) = errors().find(|it| it.rule.fixed) {
@@ -118,7 +154,7 @@ fn checked(draft: &Draft, name: &str) -> Result<BTreeMap<String, String>, Refusa
     let mut broken: Vec<String> = errors().map(|it| it.rule.name.to_owned()).collect();
     broken.sort();
     broken.dedup();
-    Ok(if broken.is_empty() { files } else { write::files(draft, name, &broken) })
+    Ok(if broken.is_empty() { files } else { write::files(draft, format, name, &broken) })
 }
 
 fn compiled(files: &BTreeMap<String, String>) -> crate::Compilation {

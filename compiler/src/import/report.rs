@@ -67,7 +67,7 @@ impl Report {
     /// Reports what nobody read.
     pub(super) fn unread(&mut self, unread: Vec<Unread>) {
         for Unread { path, at, value, facts } in unread {
-            let (kind, why) = (NoteKind::Lost, "descriptions have no place for it".to_owned());
+            let (kind, why) = (NoteKind::Lost, reason(&path).to_owned());
             self.notes.push(Note {
                 kind,
                 place: (0, 0),
@@ -149,6 +149,17 @@ impl Report {
             "notes": notes.collect::<Vec<_>>(),
         });
         characters::json(&format!("{report:#}\n")).into_owned()
+    }
+}
+
+/// Why nobody reads an element or a key.
+fn reason(path: &str) -> &'static str {
+    let parent = path.split('/').next();
+    match path.rsplit('/').next() {
+        _ if matches!(parent, Some("VendorSpecific" | "TwinCAT")) => "it is for the tools of one vendor",
+        Some("VendorSpecific") => "it is for the tools of one vendor",
+        Some("Slots") => "it is open which modules are in them",
+        _ => "descriptions have no place for it",
     }
 }
 

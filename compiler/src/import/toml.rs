@@ -83,6 +83,13 @@ pub(super) fn set(keys: &mut Keys, name: &str, value: Toml) {
     keys.push((name.to_owned(), value));
 }
 
+/// Sets a key if it has a value.
+pub(super) fn set_some(keys: &mut Keys, name: &str, value: Option<Toml>) {
+    if let Some(value) = value {
+        set(keys, name, value);
+    }
+}
+
 /// The value of a key.
 pub(super) fn get<'k>(keys: &'k Keys, name: &str) -> Option<&'k Toml> {
     keys.iter().find(|(key, _)| key == name).map(|(_, value)| value)

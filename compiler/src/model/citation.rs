@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::compare::value;
 use super::plain;
 
 plain! {
@@ -15,8 +14,6 @@ plain! {
         pub place: String,
     }
 }
-
-value! { Source }
 
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use super::Source;
 use super::difference::{Difference, FieldPath};
 use crate::source::{Location, Origin};
 
@@ -32,10 +33,24 @@ pub trait Compare: PartialEq + Sized {
         None
     }
 
+    /// Whether another that does not differ is told in the same order, from the same sources, with the same marks.
+    fn is_told_alike(&self, _: &Self, _: &dyn Beside) -> bool {
+        true
+    }
+
     /// Hands on what differs from another, at a path; what is one value differs as a whole.
     fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
         values(self, other, path, found);
     }
+}
+
+/// What is told beside parts of two devices.
+pub trait Beside {
+    /// Whether two places are in the same document.
+    fn is_same_source(&self, first: &Source, second: &Source) -> bool;
+
+    /// Whether each fact of two tables is said by the same.
+    fn is_same_author(&self, first: &Origin, second: &Origin) -> bool;
 }
 
 /// What differs between two parts of the model, in the order of their fields.
@@ -77,6 +92,10 @@ impl<T: Compare> Compare for Option<T> {
         self.as_ref().map(T::shown).unwrap_or_default()
     }
 
+    fn is_told_alike(&self, other: &Self, beside: &dyn Beside) -> bool {
+        self.as_ref().zip(other.as_ref()).is_none_or(|(first, second)| first.is_told_alike(second, beside))
+    }
+
     fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
         match (self, other) {
             (Some(first), Some(second)) => first.compare(second, path, found),
@@ -93,6 +112,12 @@ impl<T: Compare> Compare for Vec<T> {
 
     fn shown(&self) -> String {
         self.iter().map(T::shown).collect::<Vec<_>>().join(", ")
+    }
+
+    fn is_told_alike(&self, other: &Self, beside: &dyn Beside) -> bool {
+        let is_one =
+            |(first, second): (&T, &T)| first.key() == second.key() && first.is_told_alike(second, beside);
+        self.iter().zip(other).all(is_one)
     }
 
     fn compare(&self, other: &Self, path: &mut FieldPath, found: &mut dyn FnMut(Difference)) {
@@ -142,7 +167,23 @@ impl Compare for Origin {
         Some(self)
     }
 
+    fn is_told_alike(&self, other: &Self, beside: &dyn Beside) -> bool {
+        beside.is_same_author(self, other)
+    }
+
     fn compare(&self, _: &Self, _: &mut FieldPath, _: &mut dyn FnMut(Difference)) {}
+}
+
+impl Compare for Source {
+    const IS_VALUE: bool = true;
+
+    fn shown(&self) -> String {
+        self.to_string()
+    }
+
+    fn is_told_alike(&self, other: &Self, beside: &dyn Beside) -> bool {
+        beside.is_same_source(self, other)
+    }
 }
 
 impl Compare for Location {
@@ -174,6 +215,10 @@ macro_rules! compared {
 
             fn origin(&self) -> Option<&$crate::source::Origin> {
                 None$(.or_else(|| $crate::model::Compare::as_origin(&self.$field)))*
+            }
+
+            fn is_told_alike(&self, other: &Self, beside: &dyn $crate::model::Beside) -> bool {
+                true $(&& $crate::model::Compare::is_told_alike(&self.$field, &other.$field, beside))*
             }
 
             fn compare(

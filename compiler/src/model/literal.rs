@@ -162,18 +162,21 @@ impl<'de> Deserialize<'de> for Delay {
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 pub struct Hex(pub Vec<u8>);
 
+impl Hex {
+    /// Pairs of hexadecimal digits, with or without blanks.
+    pub(crate) fn parse(text: &str) -> Option<Self> {
+        let digits: Vec<char> = text.chars().filter(|c| !c.is_whitespace()).collect();
+        let is_digit = |digit: &char| digit.is_ascii_hexdigit();
+        let is_whole = digits.len().is_multiple_of(2) && digits.iter().all(is_digit);
+        let byte = |pair: &[char]| u8::from_str_radix(&pair.iter().collect::<String>(), 16).ok();
+        is_whole.then(|| digits.chunks(2).map(byte).collect::<Option<Vec<u8>>>())?.map(Self)
+    }
+}
+
 impl<'de> Deserialize<'de> for Hex {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let digits: Vec<char> = text.chars().filter(|c| !c.is_whitespace()).collect();
-        let bytes: Option<Vec<u8>> = digits
-            .chunks(2)
-            .map(|pair| u8::from_str_radix(&pair.iter().collect::<String>(), 16).ok())
-            .collect();
-        match bytes {
-            Some(bytes) if digits.len().is_multiple_of(2) => Ok(Self(bytes)),
-            _ => Err(de::Error::custom("expected pairs of hexadecimal digits, such as \"050E03EE\"")),
-        }
+        let expected = "expected pairs of hexadecimal digits, such as \"050E03EE\"";
+        Self::parse(&String::deserialize(deserializer)?).ok_or_else(|| de::Error::custom(expected))
     }
 }
 

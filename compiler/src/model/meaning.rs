@@ -5,8 +5,8 @@ use serde::de::Deserializer;
 
 use super::ids::Siblings;
 use super::keyed::{Number, Range, keyed, list};
-use super::model;
 use super::shorthand::shorthand;
+use super::{Translations, model};
 
 model! {
     /// What a value means.
@@ -17,6 +17,8 @@ model! {
         pub id: String,
         /// Its name.
         pub name: String,
+        /// Its name in other languages, by language.
+        pub names: Translations,
         /// What it means in full.
         pub about: Option<String>,
     }
@@ -29,6 +31,8 @@ model! {
         pub last: i64,
         /// What it is called.
         pub name: String,
+        /// And in other languages, by language.
+        pub names: Translations,
         /// What it means in full.
         pub about: Option<String>,
     }
@@ -41,6 +45,8 @@ model! {
 pub(crate) struct Named {
     /// Its name.
     name: String,
+    /// Its name in other languages, by language.
+    names: Translations,
     /// What it means in full.
     about: Option<String>,
 }
@@ -48,13 +54,16 @@ pub(crate) struct Named {
 #[derive(Deserialize)]
 struct NamedTable {
     name: String,
+    #[serde(default)]
+    names: Translations,
     about: Option<String>,
 }
 
 impl<'de> Deserialize<'de> for Named {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let NamedTable { name, about } = shorthand(deserializer, "name", "a name, or a table with a `name`")?;
-        Ok(Self { name, about })
+        let NamedTable { name, names, about } =
+            shorthand(deserializer, "name", "a name, or a table with a `name`")?;
+        Ok(Self { name, names, about })
     }
 }
 
@@ -70,8 +79,13 @@ impl<'de> Deserialize<'de> for Meanings {
         let mut named: Vec<(Number, Named)> = keyed(deserializer)?;
         named.sort_by_key(|(Number(value), _)| *value);
         let mut ids = Siblings::default();
-        let meaning =
-            |(Number(value), Named { name, about })| Meaning { value, id: ids.claim(&name), name, about };
+        let meaning = |(Number(value), Named { name, names, about })| Meaning {
+            value,
+            id: ids.claim(&name),
+            name,
+            names,
+            about,
+        };
         Ok(Self(named.into_iter().map(meaning).collect()))
     }
 }
@@ -79,8 +93,13 @@ impl<'de> Deserialize<'de> for Meanings {
 impl<'de> Deserialize<'de> for ValueRanges {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let named: Vec<(Range<i64>, Named)> = keyed(deserializer)?;
-        let range =
-            |(Range { first, last, .. }, Named { name, about })| ValueRange { first, last, name, about };
+        let range = |(Range { first, last, .. }, Named { name, names, about })| ValueRange {
+            first,
+            last,
+            name,
+            names,
+            about,
+        };
         let mut ranges: Vec<ValueRange> = named.into_iter().map(range).collect();
         ranges.sort_by_key(|range| range.first);
         Ok(Self(ranges))

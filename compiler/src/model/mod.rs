@@ -12,6 +12,7 @@ mod compare;
 mod configuration;
 mod control;
 mod data_type;
+mod diagnosis;
 mod difference;
 mod error;
 mod fact;
@@ -22,15 +23,18 @@ pub(crate) mod ids;
 mod index;
 mod kept;
 mod keyed;
+mod language;
 mod literal;
 mod lookup;
 mod machine;
 mod meaning;
 mod mode;
+mod mode_manager;
 mod module;
 mod object;
 mod on_axis;
 mod parameter;
+mod parts;
 mod pattern;
 mod pdo;
 mod place;
@@ -46,6 +50,7 @@ mod state;
 mod symbol;
 pub(crate) mod table;
 mod timing;
+mod told;
 mod transport;
 mod unit;
 mod value;
@@ -55,10 +60,11 @@ pub use axis::{Area, Arrangement, Axis, Shift};
 pub use bounds::Bounds;
 pub use carried::Carried;
 pub use citation::Source;
-pub use compare::{Compare, differences};
+pub use compare::{Beside, Compare, differences};
 pub use configuration::{ChosenWrite, Configuration, SdoWrite};
 pub use control::{DeviceControl, Refusal};
 pub use data_type::DataType;
+pub use diagnosis::{DiagnosisClass, DiagnosisMessage};
 pub use difference::{Difference, FieldPath};
 pub use error::{ErrorCode, VendorCode};
 pub use fact::{Assumption, Document, Erratum, Remark, RemarkKind, Tables, Written};
@@ -66,19 +72,22 @@ pub use field::{Field, Fields};
 pub use front::{Connector, Led, LedPattern, Limit, MasterSetting, Procedure, Step};
 pub use homing::{Alternative, HomingMethod, Way};
 pub use index::{Address, Index};
+pub use language::{Language, Translation, Translations};
 pub use literal::{Delay, Duration, Fraction, Hex, Literal, OneOrMore};
 pub use machine::Given;
 pub use meaning::{Meaning, Meanings, ValueRange, ValueRanges};
 pub use mode::{HomingBits, Mode, ModeChange, MotionCommand, StopOption};
+pub use mode_manager::{ModeManager, ModeManagers, ModePdo};
 pub use module::{Module, Slots};
-pub use object::{Access, Category, Entry, Kind, Mappable, Object, Trigger, WriteWindow};
+pub use object::{Access, Category, Entry, Kind, Mappable, Object, Property, Trigger, WriteWindow};
 pub(crate) use parameter::coordinate;
 pub use parameter::{AxisGroup, Coordinates, Group, Parameter};
+pub(crate) use parts::{model, plain};
 pub use pattern::{Bit, Pattern};
 pub use pdo::{Direction, Mapped, Pdo};
 pub use place::Place;
 pub use provenance::{Provenance, facts, provenance};
-pub use register::{AlStatusCode, Register, RegisterAccess, Telegram};
+pub use register::{AbortCode, AlStatusCode, Register, RegisterAccess, Telegram};
 pub(crate) use repetition::repetitions;
 pub use repetition::{Repeated, Repetition};
 pub use said::Said;
@@ -90,6 +99,7 @@ pub use state::{
 pub use symbol::{Dimension, SYMBOLS, Symbol, dimensions};
 pub use table::Table;
 pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal, Timeouts};
+pub use told::Pair;
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
 pub use value::Value;
@@ -97,28 +107,6 @@ pub use word::Word;
 
 use crate::source::Origin;
 use table::table;
-
-/// Declares parts of the model. `by id` names what tells a part from its siblings.
-macro_rules! model {
-    ($($(#[$meta:meta])* pub $kind:ident $name:ident $(by $key:ident)? { $($body:tt)* })*) => {
-        $crate::model::plain! { $($(#[$meta])* pub $kind $name { $($body)* })* }
-        $($crate::model::compare::compared! { $kind $name [$($key)?] { $($body)* } })*
-    };
-}
-pub(crate) use model;
-
-/// Declares values of the model, which are compared as a whole.
-macro_rules! plain {
-    ($($item:item)*) => {
-        $(
-            #[derive(Debug, Clone, PartialEq)]
-            #[cfg_attr(feature = "json", derive(serde::Serialize))]
-            #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-            $item
-        )*
-    };
-}
-pub(crate) use plain;
 
 model! {
     /// Devices that share a description: the members of a family, or one device alone.
@@ -144,6 +132,8 @@ model! {
         pub id: String,
         /// The name people order it by.
         pub name: String,
+        /// The name in other languages, by language.
+        pub names: Translations,
         /// The vendor's name.
         pub vendor: String,
         /// What it is, in one line.
@@ -160,6 +150,12 @@ model! {
         pub profile: Option<u32>,
         /// One letter for each port as an ESI has it.
         pub physics: String,
+        /// The current that it takes from the E-bus, in milliamperes; what it gives if negative.
+        pub ebus_current: Option<i32>,
+        /// Where to read about it.
+        pub url: Option<String>,
+        /// Where to read about it in other languages, by language.
+        pub urls: Translations,
         /// What 0x1018 and the EEPROM say.
         pub identity: Identity,
         /// The EEPROM.
@@ -210,6 +206,8 @@ model! {
         pub errors: Vec<ErrorCode>,
         /// Codes of the vendor's own system, by code.
         pub vendor_codes: Vec<VendorCode>,
+        /// The messages of the diagnosis history, by text id.
+        pub diagnosis: Vec<DiagnosisMessage>,
         /// Units and scaling.
         pub units: Vec<Unit>,
         /// Ways to keep time with the master, the default first.
@@ -232,6 +230,8 @@ model! {
         pub registers: Vec<Register>,
         /// Why the device refuses or leaves an EtherCAT state, by code.
         pub al_status_codes: Vec<AlStatusCode>,
+        /// Why the device ends SDO transfers, by code.
+        pub abort_codes: Vec<AbortCode>,
         /// The bytes of messages.
         pub telegrams: Vec<Telegram>,
         /// Choices of process data and mode.

@@ -1,7 +1,7 @@
 //! The object dictionary.
 
 use super::table::part;
-use super::{Address, DataType, Direction, Index, Meanings, Source, Value, model};
+use super::{Address, DataType, Direction, Index, Meanings, Source, Translations, Value, model};
 use crate::source::Origin;
 
 model! {
@@ -15,6 +15,8 @@ model! {
         pub id: String,
         /// Its name.
         pub name: String,
+        /// Its name in other languages, by language.
+        pub names: Translations,
         /// What it is made of.
         pub kind: Kind,
         /// The axis it belongs to, if it exists once for each.
@@ -29,6 +31,8 @@ model! {
         pub functional: bool,
         /// The vendor's own name of the parameter behind it.
         pub parameter: Option<String>,
+        /// What the vendor's tools are told of it.
+        pub properties: Vec<Property>,
         /// The entries by subindex; subindex 0 is always there.
         pub entries: Vec<Entry>,
         /// Whether it follows from the PDOs and the sync managers.
@@ -48,6 +52,8 @@ model! {
         pub id: String,
         /// Its name.
         pub name: String,
+        /// Its name in other languages, by language.
+        pub names: Translations,
         /// Its type.
         pub data_type: DataType,
         /// Who may read and write it.
@@ -82,6 +88,8 @@ model! {
         pub trigger: Option<Trigger>,
         /// The vendor's own name of the parameter behind it.
         pub parameter: Option<String>,
+        /// What the vendor's tools are told of it.
+        pub properties: Vec<Property>,
         /// Where its facts are from, if not where the object's are.
         pub source: Option<Source>,
         /// Where it was written.
@@ -105,6 +113,17 @@ model! {
 }
 
 part! {
+    /// Something that the vendor's tools are told.
+    #[derive(Default)]
+    pub struct Property {
+        /// What it is called.
+        pub name: String,
+        /// What it is.
+        pub value: Option<String>,
+        /// What that means.
+        pub about: Option<String>,
+    }
+
     /// What an object is made of.
     #[derive(Copy, Eq)]
     pub enum Kind {

@@ -1,6 +1,6 @@
 //! Process data objects.
 
-use super::{Address, DataType, Index, Source, model};
+use super::{Address, DataType, Index, Source, Translations, model};
 use crate::source::{Location, Origin};
 
 model! {
@@ -14,6 +14,8 @@ model! {
         pub direction: Direction,
         /// Its name.
         pub name: String,
+        /// Its name in other languages, by language.
+        pub names: Translations,
         /// The axis it is for, if each has one.
         pub axis: Option<u8>,
         /// What is in it, in order.
@@ -49,6 +51,8 @@ model! {
         pub address: Option<Address>,
         /// Its name.
         pub name: String,
+        /// Its name in other languages, by language.
+        pub names: Translations,
         /// The word for it, unique within the PDO.
         pub id: String,
         /// The first bit within the PDO.

@@ -41,6 +41,17 @@ table! {
         pub about: Option<String>,
     }
 
+    /// `[abort-codes.<code>]`: why the device ends an SDO transfer.
+    pub struct AbortCode by code: "an SDO abort code such as 0x06010002" {
+        /// The code.
+        #[serde(skip_deserializing)]
+        pub code: u32,
+        /// What it says.
+        pub name: String,
+        /// What else is to be said.
+        pub about: Option<String>,
+    }
+
     /// `[telegrams.<id>]`: the bytes of a message.
     pub struct Telegram by id: "a word" {
         /// The word for it.

@@ -1,7 +1,7 @@
 //! Time.
 
 use super::table::{part, table};
-use super::{Delay, Duration};
+use super::{Delay, Duration, ModeManagers};
 
 table! {
     /// `[sync-modes.<id>]`: a way to keep time with the master.
@@ -20,6 +20,9 @@ table! {
         pub sync0: Option<SyncSignal>,
         /// The second signal.
         pub sync1: Option<SyncSignal>,
+        /// What sync managers do in it other than by default, by their keys in `[sync-managers]`.
+        #[serde(default)]
+        pub managers: ModeManagers,
         /// What else is to be said.
         pub about: Option<String>,
     }

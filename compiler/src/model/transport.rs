@@ -87,6 +87,10 @@ table! {
         /// The first bytes of it, PDI control and what follows, in hexadecimal.
         #[serde(default)]
         pub config_data: Hex,
+        /// Where the mailbox lies in the state Bootstrap, in hexadecimal: address and size of what the master writes, then of
+        /// what it reads, each the low byte first. A device that says nothing here does not have the state.
+        #[serde(default)]
+        pub bootstrap: Hex,
     }
 }
 
@@ -132,7 +136,14 @@ impl Protocol {
 impl Eeprom {
     /// Whether the description says anything of it.
     pub fn is_described(&self) -> bool {
-        ["size", "config-data"].into_iter().any(|key| self.origin.has(key))
+        ["size", "config-data", "bootstrap"].into_iter().any(|key| self.origin.has(key))
+    }
+
+    /// Address and size of the mailbox in Bootstrap, from the master and to it.
+    pub fn boot_mailbox(&self) -> Option<[(u16, u16); 2]> {
+        let [a, b, c, d, e, f, g, h] = *self.bootstrap.0.as_slice() else { return None };
+        let area = |address, size| (u16::from_le_bytes(address), u16::from_le_bytes(size));
+        Some([area([a, b], [c, d]), area([e, f], [g, h])])
     }
 
     /// The size of the devices of most vendors, in bytes.

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Deserializer};
 
 use super::compare::value;
-use super::{DataType, Literal, plain};
+use super::{DataType, Hex, Literal, plain};
 
 plain! {
     /// A value that fits the type it was resolved for.
@@ -20,7 +20,7 @@ plain! {
         Unsigned(u64),
         /// A number with a fraction.
         Real(f64),
-        /// Text.
+        /// Text; of an octet string its bytes in hexadecimal.
         Text(String),
     }
 }
@@ -38,6 +38,9 @@ impl Value {
             Self::Real(value) => value.to_le_bytes().to_vec(),
             Self::Text(text) if matches!(data_type, DataType::Unicode(_)) => {
                 text.encode_utf16().flat_map(u16::to_le_bytes).collect()
+            }
+            Self::Text(text) if matches!(data_type, DataType::Octets(_)) => {
+                Hex::parse(text).unwrap_or_default().0
             }
             Self::Text(text) => text.as_bytes().to_vec(),
         };

@@ -1,12 +1,16 @@
 //! What the device is: `[device]`.
 
 use super::raw;
+use crate::model::Translations;
 
 raw! {
     /// `[device]`: how the drive is named and grouped.
     pub struct RawHead {
         /// The name people order it by.
         pub name: String,
+        /// The name in other languages, by language: `{ de = "..." }`.
+        #[serde(default)]
+        pub names: Translations,
         /// The vendor's name.
         pub vendor: String,
         /// What it is, in one line.
@@ -25,5 +29,12 @@ raw! {
         /// One letter for each of up to four ports as ESI wants it: `Y` for MII (RJ45), `K` for LVDS (E-Bus), `H` for MII
         /// with fast hot connect, a space for none.
         pub physics: Option<String>,
+        /// The current that it takes from the E-bus, in milliamperes; what it gives if negative.
+        pub ebus_current: Option<i32>,
+        /// Where to read about it.
+        pub url: Option<String>,
+        /// Where to read about it in other languages, by language.
+        #[serde(default)]
+        pub urls: Translations,
     }
 }

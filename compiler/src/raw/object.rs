@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use crate::model::{Access, Category, Index, Kind, Literal, Mappable, Meanings, Source, WriteWindow};
+use crate::model::{
+    Access, Category, Index, Kind, Literal, Mappable, Meanings, Property, Source, Translations, WriteWindow,
+};
 use crate::source::Origin;
 
 /// An object as written: what makes it an object, and its values.
@@ -83,6 +85,9 @@ impl<'de> Deserialize<'de> for Ignored {
 pub struct RawEntry {
     /// Its name.
     pub name: Option<String>,
+    /// Its name in other languages, by language: `{ de = "..." }`.
+    #[serde(default)]
+    pub names: Translations,
     /// Its data type: `BOOL`, `INT8` to `INT64`, `UINT8` to `UINT64`, `REAL32`, `REAL64`, `BYTE`, `WORD`,
     /// `DWORD`, `BIT1` to `BIT8`, `STRING`, `STRING(n)`, `OCTET_STRING(n)` with n bytes or `UNICODE_STRING(n)` with n units of 16 bits.
     pub r#type: Option<String>,
@@ -96,7 +101,7 @@ pub struct RawEntry {
     /// The unit of its value, one of `[units]`.
     pub unit: Option<String>,
     /// The value after start-up. A number can be written as a manual prints it in two columns, `"0x14 (20)"`: the
-    /// first counts, and a rule compares the other.
+    /// first counts, and a rule compares the other. The bytes of an octet string are written in hexadecimal, `"0A1B"`.
     pub default: Option<Literal>,
     /// The least value.
     pub min: Option<Literal>,
@@ -120,6 +125,9 @@ pub struct RawEntry {
     pub trigger: Option<RawTrigger>,
     /// The vendor's own name of the parameter behind it, as `"A515"` or `"PTBASE"`.
     pub parameter: Option<String>,
+    /// What the vendor's tools are told of it: names and values that an ESI hands on as they are.
+    #[serde(default)]
+    pub properties: Vec<Property>,
 }
 
 /// What writing a value sets off.

@@ -4,6 +4,7 @@ use serde::Deserialize;
 use serde::de::Deserializer;
 
 use super::raw;
+use crate::model::Translations;
 use crate::model::shorthand::shorthand;
 
 raw! {
@@ -11,6 +12,9 @@ raw! {
     pub struct RawPdo {
         /// Its name.
         pub name: String,
+        /// Its name in other languages, by language: `{ de = "..." }`.
+        #[serde(default)]
+        pub names: Translations,
         /// Whether each axis has one, `pdo-shift` apart; the table describes the first axis' one.
         #[serde(default)]
         pub per_axis: bool,
@@ -54,6 +58,8 @@ pub struct RawMapped {
     pub r#type: Option<String>,
     /// A name other than the entry's.
     pub name: Option<String>,
+    /// The name in other languages, by language, where it is not the entry's.
+    pub names: Translations,
 }
 
 #[derive(Deserialize)]
@@ -63,13 +69,16 @@ struct MappedTable {
     bits: Option<u16>,
     r#type: Option<String>,
     name: Option<String>,
+    #[serde(default)]
+    names: Translations,
 }
 
 impl<'de> Deserialize<'de> for RawMapped {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let expecting = "the name or index of an entry, or a table with `entry`, `bits`, `type` and `name`";
-        let MappedTable { entry, bits, r#type, name } = shorthand(deserializer, "entry", expecting)?;
-        Ok(Self { entry, bits, r#type, name })
+        let expecting =
+            "the name or index of an entry, or a table with `entry`, `bits`, `type`, `name` and `names`";
+        let MappedTable { entry, bits, r#type, name, names } = shorthand(deserializer, "entry", expecting)?;
+        Ok(Self { entry, bits, r#type, name, names })
     }
 }
 

@@ -4,7 +4,7 @@ use super::context::Context;
 use super::derived::Basis;
 use super::{mapped, objects, pdos, startup, values};
 use crate::diagnostic::faults;
-use crate::model::{ChosenWrite, Configuration, Direction, Index, Object, Pdo, SdoWrite, Value};
+use crate::model::{ChosenWrite, Configuration, DataType, Direction, Index, Object, Pdo, SdoWrite, Value};
 use crate::raw::{RawConfiguration, RawMapped, RawWrite};
 use crate::source::Origin;
 
@@ -88,7 +88,7 @@ fn writes(
         let data_type = found.data_type;
         let Some(value) = values::value(context, value, data_type, &at("value"), origin) else { continue };
         let data = match &value {
-            Value::Text(text) => text.as_bytes().to_vec(),
+            Value::Text(text) if matches!(data_type, DataType::Text(_)) => text.as_bytes().to_vec(),
             number => number.little_endian(data_type),
         };
         if data.len() > LONGEST {

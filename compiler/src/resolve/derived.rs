@@ -5,7 +5,7 @@ use super::objects::Described;
 use super::{capacity, overlay, startup};
 use crate::model::{
     Access, Address, Category, DataType, Direction, Entry, Index, Kind, Mailbox, Mapped, Object, Pdo, Role,
-    SyncManager, Value, WriteWindow,
+    SyncManager, Translations, Value, WriteWindow,
 };
 use crate::raw::RawObject;
 use crate::source::Origin;
@@ -60,6 +60,7 @@ fn object(index: Index, id: String, name: String, entries: Vec<Entry>, origin: &
         leading: index,
         id,
         name,
+        names: Translations::default(),
         kind: Kind::Array,
         axis: None,
         category: Category::Mandatory,
@@ -67,6 +68,7 @@ fn object(index: Index, id: String, name: String, entries: Vec<Entry>, origin: &
         note: None,
         functional: true,
         parameter: None,
+        properties: Vec::new(),
         entries,
         derived: true,
         source: None,

@@ -5,7 +5,8 @@ use super::{numbered, values};
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::{self, Siblings};
 use crate::model::{
-    Access, Address, Category, DataType, Entry, Index, Literal, Mappable, Meanings, Trigger, Value,
+    Access, Address, Category, DataType, Entry, Index, Literal, Mappable, Meanings, Translations, Trigger,
+    Value,
 };
 use crate::raw::{RawEntries, RawEntry, RawObject, RawTrigger};
 use crate::source::{Location, Origin};
@@ -108,6 +109,7 @@ pub(super) fn plain(address: Address, name: &str, data_type: DataType, origin: &
         address,
         id: ids::id(name),
         name: name.to_owned(),
+        names: Translations::default(),
         data_type,
         access: Access::Ro,
         pdo: Mappable::None,
@@ -125,6 +127,7 @@ pub(super) fn plain(address: Address, name: &str, data_type: DataType, origin: &
         functional: true,
         trigger: None,
         parameter: None,
+        properties: Vec::new(),
         source: None,
         origin: origin.header_only(),
     }
@@ -149,6 +152,7 @@ pub(super) fn entry(
 ) -> Option<Entry> {
     let RawEntry {
         name: _,
+        names,
         r#type,
         access,
         pdo,
@@ -166,6 +170,7 @@ pub(super) fn entry(
         functional,
         trigger,
         parameter,
+        properties,
     } = raw;
     let Known { address, name, data_type, many } = known;
     let data_type =
@@ -179,6 +184,7 @@ pub(super) fn entry(
         address,
         id: ids::id(name),
         name: name.to_owned(),
+        names: if many { numbered::names(names, address.subindex) } else { names.clone() },
         data_type,
         access: access.unwrap_or_default(),
         pdo: pdo.unwrap_or_default(),
@@ -196,6 +202,7 @@ pub(super) fn entry(
         functional: functional.unwrap_or(true),
         trigger: trigger.as_ref().and_then(|raw| self::trigger(context, raw, data_type, origin)),
         parameter: if many { parameter.as_ref().map(numbered) } else { parameter.clone() },
+        properties: properties.clone(),
         source: None,
         origin: origin.clone(),
     })

@@ -4,7 +4,7 @@
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
 use crate::model::ids::Siblings;
-use crate::model::{Device, ErrorCode, HomingMethod, SyncMode, Transition};
+use crate::model::{Device, ErrorCode, HomingMethod, ModePdo, Pdo, Role, SyncMode, Transition};
 use crate::source::{Layer, Origin};
 
 /// The same tables in the order of a key.
@@ -64,6 +64,7 @@ pub(super) fn references(context: &mut Context<'_>, device: &Device) {
         context.bind(&transition.from, &states, what, transition.origin.value("from"));
         context.bind(&transition.to, &states, what, transition.origin.value("to"));
     }
+    mode_managers(context, device);
     units(context, device);
     triggers(context, device);
     addresses(context, device);
@@ -113,6 +114,29 @@ fn mode(context: &mut Context<'_>, code: i16, device: &Device, origin: &Origin, 
     if !device.modes.iter().any(|mode| mode.code == code || mode.aliases.contains(&code)) {
         let message = format!("there is no mode of operation {code}");
         context.fault(&faults::UNKNOWN_REFERENCE, message, origin.value(path), "not in `[modes]`");
+    }
+}
+
+/// Reports sync managers and PDOs that ways to keep time name and that are not there.
+fn mode_managers(context: &mut Context<'_>, device: &Device) {
+    let known: Vec<String> = device.sync_managers.iter().map(|manager| manager.id.clone()).collect();
+    for (mode, named) in
+        device.sync_modes.iter().flat_map(|mode| mode.managers.iter().map(move |it| (mode, it)))
+    {
+        let place = format!("managers.{}", named.id);
+        if !context.bind(&named.id, &known, "sync manager", mode.origin.value(&place)) {
+            continue;
+        }
+        let carries = |pdo: &Pdo| {
+            let role = Role::of(pdo.direction);
+            device.sync_managers.iter().any(|manager| manager.id == named.id && manager.role == role)
+        };
+        for (i, ModePdo { pdo, .. }) in named.pdos.iter().enumerate() {
+            if !device.pdo(*pdo).is_some_and(carries) {
+                let at = mode.origin.value(&format!("{place}.pdos.{i}"));
+                context.no_pdo(&pdo.to_string(), at, "not one that the sync manager carries");
+            }
+        }
     }
 }
 

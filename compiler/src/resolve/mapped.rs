@@ -64,6 +64,7 @@ fn one(
     let padding = Mapped {
         address: None,
         name: raw.name.clone().unwrap_or_else(|| "Padding".to_owned()),
+        names: raw.names.clone(),
         id: "padding".to_owned(),
         offset: 0,
         bits: raw.bits.unwrap_or(0).into(),
@@ -108,9 +109,11 @@ fn one(
 /// An entry of the dictionary as it is mapped; `bare` is what is known without it.
 fn of_entry(raw: &RawMapped, (object, entry): (&Object, &Entry), bare: Mapped) -> Mapped {
     let single = object.entries.len() == 1;
-    let name = if single { &object.name } else { &entry.name };
+    let (name, names) = if single { (&object.name, &object.names) } else { (&entry.name, &entry.names) };
+    let has_own = raw.name.is_some() || !raw.names.is_empty();
     Mapped {
         name: raw.name.clone().unwrap_or_else(|| name.clone()),
+        names: if has_own { raw.names.clone() } else { names.clone() },
         id: if single { object.id.clone() } else { format!("{}-{}", object.id, entry.id) },
         bits: raw.bits.map_or(entry.data_type.bits(), u32::from),
         data_type: Some(entry.data_type),
@@ -164,7 +167,8 @@ fn span<'r>(
         range.map(move |subindex| {
             let entry = Some(format!("{object}:{subindex:02X}"));
             let name = raw.name.as_ref().map(|name| numbered::name(name, subindex));
-            Cow::Owned(RawMapped { entry, name, bits: raw.bits, r#type: raw.r#type.clone() })
+            let names = numbered::names(&raw.names, subindex);
+            Cow::Owned(RawMapped { entry, name, names, bits: raw.bits, r#type: raw.r#type.clone() })
         })
     });
     let alone = each.is_none().then_some(Cow::Borrowed(raw));

@@ -1,5 +1,7 @@
 //! Texts that hold for a range of subindices.
 
+use crate::model::{Translation, Translations};
+
 /// The text for one subindex: `{}` in it is the subindex, `{+8}` and `{-1}` are the subindex with a number added or
 /// taken away. None if a brace holds anything else, or nothing closes it.
 pub(super) fn numbered(text: &str, subindex: u8) -> Option<String> {
@@ -29,6 +31,12 @@ pub(super) fn of(text: &str, subindex: u8) -> String {
 /// The name of one of several entries: numbered by its braces, or behind it.
 pub(super) fn name(name: &str, subindex: u8) -> String {
     if name.contains('{') { of(name, subindex) } else { format!("{name} {subindex}") }
+}
+
+/// The names of one of several entries in other languages.
+pub(super) fn names(names: &Translations, subindex: u8) -> Translations {
+    let numbered = |it: &Translation| Translation { text: name(&it.text, subindex), ..it.clone() };
+    Translations(names.iter().map(numbered).collect())
 }
 
 #[cfg(test)]

@@ -29,11 +29,13 @@ pub(super) fn apply(context: &mut Context<'_>, object: &mut Object, raw: RawObje
     }
     object.id = id.unwrap_or_else(|| object.id.clone());
     object.name = value.name.unwrap_or_else(|| object.name.clone());
+    object.names = value.names;
     object.category = value.category.unwrap_or(object.category);
     object.about = value.about;
     object.note = value.note;
     object.functional = value.functional.unwrap_or(true);
     object.parameter = value.parameter;
+    object.properties = value.properties;
     object.source = source.or(object.source.take());
     object.origin = origin;
 }

@@ -113,6 +113,7 @@ fn pdo(
     let RawPdo {
         key,
         name,
+        names,
         per_axis: _,
         entries,
         fixed,
@@ -133,6 +134,7 @@ fn pdo(
         leading: names::index(key).unwrap_or(index),
         direction,
         name: name.clone(),
+        names: names.clone(),
         axis,
         entries: mapped::mapped(context, entries, origin, "entries", axis, objects),
         fixed: fixed.unwrap_or(true),

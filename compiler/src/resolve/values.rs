@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use crate::diagnostic::{Diagnostic, faults};
-use crate::model::{DataType, Literal, Value};
+use crate::model::{DataType, Hex, Literal, Value};
 use crate::source::{Origin, keys};
 
 /// The value that a literal is in a type, or a report that it does not fit.
@@ -14,7 +14,9 @@ pub(super) fn value(
     origin: &Origin,
 ) -> Option<Value> {
     let value = match literal {
-        Literal::Text(text) if !matches!(data_type, DataType::Text(_) | DataType::Unicode(_)) => {
+        Literal::Text(text)
+            if !matches!(data_type, DataType::Text(_) | DataType::Unicode(_) | DataType::Octets(_)) =>
+        {
             Literal::twice(text).and_then(|(first, _)| fit(&Literal::Integer(first), data_type))
         }
         _ => fit(literal, data_type),
@@ -68,6 +70,10 @@ fn fit(literal: &Literal, data_type: DataType) -> Option<Value> {
         (Literal::Text(text), DataType::Unicode(units)) => {
             (text.encode_utf16().count() <= usize::from(units)).then(|| Value::Text(text.clone()))
         }
+        (Literal::Text(text), DataType::Octets(bytes)) => {
+            let value = Hex::parse(text).filter(|value| value.0.len() <= usize::from(bytes));
+            value.map(|value| Value::Text(value.to_string()))
+        }
         (Literal::Float(value), DataType::Real32 | DataType::Real64) => real(*value, data_type),
         (Literal::Integer(value), DataType::Real32 | DataType::Real64) => real(*value as f64, data_type),
         (Literal::Integer(value), _) => {
@@ -103,7 +109,9 @@ fn holds(data_type: DataType) -> String {
         (None, DataType::Real32) => format!("{data_type} holds numbers up to {:e}", f32::MAX),
         (None, DataType::Text(bytes)) => format!("{data_type} holds text of up to {bytes} bytes"),
         (None, DataType::Unicode(units)) => format!("{data_type} holds text of up to {units} units"),
-        (None, DataType::Octets(_)) => format!("{data_type} holds bytes, of which no value can be told"),
+        (None, DataType::Octets(bytes)) => {
+            format!("{data_type} holds up to {bytes} bytes, two hexadecimal digits each: \"0A1B\"")
+        }
         (None, _) => format!("{data_type} holds numbers"),
     }
 }

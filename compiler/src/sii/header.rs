@@ -12,7 +12,7 @@ const CHECKED: usize = 14;
 const VERSION: u16 = 1;
 
 /// The header of an EEPROM of `size` bytes. Of `config_data` counts what stands in front of the checksum; what it lacks is
-/// 0. A mailbox for bootstrap is not described, nor are delays.
+/// 0. Delays are not described.
 pub(super) fn header(device: &Device, config_data: &[u8], size: u32) -> Vec<u8> {
     let mut bytes: Vec<u8> = config_data.iter().copied().take(CHECKED).collect();
     bytes.resize(CHECKED, 0);
@@ -20,6 +20,12 @@ pub(super) fn header(device: &Device, config_data: &[u8], size: u32) -> Vec<u8> 
     let identity = &device.identity;
     for number in [identity.vendor_id, identity.product_code, identity.revision, identity.serial] {
         bytes.extend(number.to_le_bytes());
+    }
+    const BOOT_MAILBOX: usize = 0x14 * 2;
+    bytes.resize(BOOT_MAILBOX, 0);
+    for (address, size) in device.eeprom.boot_mailbox().into_iter().flatten() {
+        bytes.extend(address.to_le_bytes());
+        bytes.extend(size.to_le_bytes());
     }
     const MAILBOX: usize = 0x18 * 2;
     bytes.resize(MAILBOX, 0);

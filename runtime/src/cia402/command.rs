@@ -79,6 +79,24 @@ pub struct Command {
 }
 
 impl Command {
+    /// A command that is given by the bits of a mask, in every state.
+    pub const fn new(name: &'static str, mask: u16, value: u16, transitions: &'static [u8]) -> Self {
+        let pattern = Pattern { mask, value };
+        Self { name, pattern, edge: None, transitions, ignored_in: StateSet::NONE }
+    }
+
+    /// The same if it is given by a change of a bit.
+    #[must_use]
+    pub const fn on(self, edge: Edge) -> Self {
+        Self { edge: Some(edge), ..self }
+    }
+
+    /// The same if it does nothing in some states.
+    #[must_use]
+    pub const fn ignored_in(self, states: StateSet) -> Self {
+        Self { ignored_in: states, ..self }
+    }
+
     /// Whether the step from the previous to the current controlword gives the command (CiA 402, command coding).
     #[inline]
     pub fn is_given(&self, previous: u16, current: u16) -> bool {

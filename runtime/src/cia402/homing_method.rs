@@ -19,6 +19,20 @@ pub struct HomingInfo {
     pub text: &'static str,
 }
 
+impl HomingInfo {
+    /// All of it in the order of the fields, for generated tables.
+    pub const fn new(
+        number: i8,
+        name: &'static str,
+        direction: Option<Direction>,
+        pulse: bool,
+        target: &'static str,
+        text: &'static str,
+    ) -> Self {
+        Self { number, name, direction, pulse, target, text }
+    }
+}
+
 /// A direction of movement (CiA 402, homing methods).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Direction {

@@ -156,5 +156,12 @@ macro_rules! value {
                 Self(<$number>::from_le_bytes(bytes))
             }
         }
+
+        impl $crate::sdo::Kept for $name {
+            #[inline]
+            fn slot(&mut self) -> $crate::sdo::Slot<'_> {
+                $crate::sdo::Kept::slot(&mut self.0)
+            }
+        }
     };
 }

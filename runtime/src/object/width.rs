@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::fmt;
 
 use super::Value;
-use crate::sdo::DataType;
+use crate::sdo::{DataType, Kept, Slot};
 
 macro_rules! width {
     ($(#[$doc:meta])* $name:ident, $number:ident, $data_type:ident) => {
@@ -88,6 +88,13 @@ macro_rules! width {
             #[inline]
             pub const fn as_bytes_mut(&mut self) -> &mut [u8; BYTES] {
                 &mut self.0
+            }
+        }
+
+        impl<const BITS: usize, const BYTES: usize> Kept for $name<BITS, BYTES> {
+            #[inline]
+            fn slot(&mut self) -> Slot<'_> {
+                Slot::Bytes(self.as_bytes_mut())
             }
         }
 

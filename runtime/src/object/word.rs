@@ -86,3 +86,61 @@ pub fn show_word(
     }
     if is_first { f.write_str("nothing set") } else { Ok(()) }
 }
+
+/// Gives a word of bits, a struct around a number, a method for each of its fields: to read it, and to write it if the
+/// word is written; then the bit, or the first and the last.
+///
+/// ```
+/// #[derive(Debug, Clone, Copy, PartialEq)]
+/// struct Word(u16);
+///
+/// devc_runtime::bits! {
+///     Word: u16;
+///     /// Bit 3: on.
+///     on, with_on: 3;
+///     /// Bits 4 to 6: the phase.
+///     phase, with_phase: 4 to 6;
+///     /// Bit 15: shown.
+///     shown: 15;
+/// }
+///
+/// let word = Word(0x8000).with_on(true).with_phase(9);
+/// assert_eq!((word, word.on(), word.phase(), word.shown()), (Word(0x8018), true, 1, true));
+/// ```
+#[macro_export]
+macro_rules! bits {
+    ($word:ident: $number:ty; $($(#[$doc:meta])* $get:ident $(, $set:ident)?: $low:literal $(to $high:literal)?;)*) => {
+        impl $word {
+            $($crate::bits!(@get $number, $(#[$doc])* $get: $low $(to $high)?);)*
+            $($crate::bits!(@set $number, [$($set)?] $low $(to $high)?);)*
+        }
+    };
+    (@get $number:ty, $(#[$doc:meta])* $get:ident: $low:literal) => {
+        $(#[$doc])*
+        pub const fn $get(self) -> bool {
+            self.0 & 1 << $low != 0
+        }
+    };
+    (@get $number:ty, $(#[$doc:meta])* $get:ident: $low:literal to $high:literal) => {
+        $(#[$doc])*
+        pub const fn $get(self) -> $number {
+            self.0 >> $low & <$number>::MAX >> (<$number>::BITS - 1 + $low - $high)
+        }
+    };
+    (@set $number:ty, [] $low:literal $(to $high:literal)?) => {};
+    (@set $number:ty, [$set:ident] $low:literal) => {
+        #[doc = ::core::concat!("The word with bit ", $low, " as given.")]
+        #[must_use]
+        pub const fn $set(self, on: bool) -> Self {
+            Self(self.0 & !(1 << $low) | (on as $number) << $low)
+        }
+    };
+    (@set $number:ty, [$set:ident] $low:literal to $high:literal) => {
+        #[doc = ::core::concat!("The word with bits ", $low, " to ", $high, " as given.")]
+        #[must_use]
+        pub const fn $set(self, value: $number) -> Self {
+            let mask: $number = <$number>::MAX >> (<$number>::BITS - 1 + $low - $high);
+            Self(self.0 & !(mask << $low) | (value & mask) << $low)
+        }
+    };
+}

@@ -1,7 +1,6 @@
 //! Process data by value.
 
 use super::Direction;
-use crate::Device;
 use crate::bytes::{ByteArray, WrongLength};
 
 /// Data that goes in a frame each cycle: a PDO, or all PDOs of a direction one after the other.
@@ -51,8 +50,8 @@ use crate::bytes::{ByteArray, WrongLength};
     note = "PDOs are in the module of a device, or structs with `#[derive(Pdo)]`"
 )]
 pub trait ProcessData: Copy {
-    /// The device whose data this is.
-    type Device: Device;
+    /// The device whose data this is, or the family of devices that have it.
+    type Device;
     /// Which way the data goes.
     type Direction: Direction;
     /// The bytes in the frame.

@@ -1,7 +1,7 @@
 //! PDOs, and what is mapped to them.
 
-use super::ProcessData;
 use super::image::refuse;
+use super::{Members, ProcessData};
 use crate::object::Address;
 use crate::text::Text;
 
@@ -21,6 +21,9 @@ pub trait Pdo: ProcessData {
 
     /// The PDO of each axis, or the only one, with what is mapped to it.
     const ALL: &'static [MappedPdo] = &[MappedPdo::new(Self::INDEX, Self::MAPPING)];
+
+    /// The members of the family that have it.
+    const MEMBERS: Members = Members::ALL;
 }
 
 /// A PDO with what is mapped to it.
@@ -32,24 +35,26 @@ pub struct MappedPdo {
     pub mapping: &'static [Mapping],
     /// Whether it is not what the device starts with, so that the master has to write it.
     pub is_own: bool,
+    /// The members of the family that have it.
+    pub members: Members,
 }
 
 impl MappedPdo {
     /// A PDO as the device has it.
     pub const fn new(index: u16, mapping: &'static [Mapping]) -> Self {
-        Self { index, mapping, is_own: false }
+        Self { index, mapping, is_own: false, members: Members::ALL }
     }
 
     /// A PDO as a master has to map it.
     pub const fn own(index: u16, mapping: &'static [Mapping]) -> Self {
-        Self { index, mapping, is_own: true }
+        Self { index, mapping, is_own: true, members: Members::ALL }
     }
 
     /// The PDO of an axis, by number; refuses an axis that has none, so it is for constants.
     #[track_caller]
     pub const fn of_axis<P: Pdo>(axis: u8) -> Self {
         match P::ALL.split_at_checked(axis as usize) {
-            Some((_, [pdo, ..])) => *pdo,
+            Some((_, [pdo, ..])) => Self { members: P::MEMBERS, ..*pdo },
             _ => refuse(
                 Text::new()
                     .text("there is no axis ")

@@ -17,18 +17,21 @@ pub mod ethercrab;
 mod image;
 mod in_place;
 mod mapping;
+mod members;
 #[cfg(not(feature = "ethercrab"))]
 mod no_ethercrab;
 mod own;
 pub mod place;
+mod sync_manager;
 
 pub use data::ProcessData;
 #[cfg(feature = "derive")]
 pub use devc_macros::{Pdo, ProcessImage};
 pub use direction::{Direction, Rx, Tx};
-pub use image::{
-    Carries, ProcessImage, SameDevice, SameDirection, SyncManager, check_image, check_pdo, selected,
-};
+pub(crate) use image::refuse;
+pub use image::{ProcessImage, SameDevice, SameDirection, check_image, check_pdo, selected};
 pub use in_place::{InPlace, View, ViewMut};
 pub use mapping::{MappedPdo, Mapping, Pdo};
+pub use members::Members;
 pub use own::{MappingObject, MapsTo, RxTx, Unmapped, check_entry, check_mapping, mapped, own};
+pub use sync_manager::SyncManager;

@@ -1,8 +1,7 @@
 //! Own mappings: what is put into a PDO whose mapping is free.
 
 use super::image::refuse;
-use super::{Direction, MappedPdo, Mapping, Pdo, Rx, Tx};
-use crate::Device;
+use super::{Direction, MappedPdo, Mapping, Members, Pdo, Rx, Tx};
 use crate::object::{Entry, Value};
 use crate::text::Text;
 use crate::unit::Measurand;
@@ -14,8 +13,8 @@ use crate::unit::Measurand;
     note = "the module of a device has a type for each that it lets a master map, such as `FreeRxPdo1600`"
 )]
 pub trait MappingObject {
-    /// The device that has it.
-    type Device: Device;
+    /// The device that has it, or the family of those that have it.
+    type Device;
     /// Which way it goes.
     type Direction: Direction;
     /// The mapping object of each axis, or the only one.
@@ -26,6 +25,8 @@ pub trait MappingObject {
     const MAX_BYTES: Option<u16>;
     /// The largest number of entries, if the description says.
     const MAX_ENTRIES: Option<u8>;
+    /// The members of the family that have it.
+    const MEMBERS: Members = Members::ALL;
 }
 
 /// The PDOs that are mapped already: who names one of them is told so once, not wherever it would have to be free.
@@ -36,6 +37,7 @@ impl<P: Pdo> MappingObject for P {
     const IS_FREE: bool = false;
     const MAX_BYTES: Option<u16> = None;
     const MAX_ENTRIES: Option<u8> = None;
+    const MEMBERS: Members = P::MEMBERS;
 }
 
 /// An entry that is in no PDO.
@@ -109,13 +111,13 @@ pub const fn check_mapping<F: MappingObject>(axes: usize) {
 pub const fn own<F: MappingObject, const FIELDS: usize, const AXES: usize>(
     table: &'static [[Mapping; FIELDS]; AXES],
 ) -> [MappedPdo; AXES] {
-    let mut pdos = [MappedPdo { index: 0, mapping: &[], is_own: true }; AXES];
+    let mut pdos = [MappedPdo::own(0, &[]); AXES];
     let mut places: &mut [MappedPdo] = &mut pdos;
     let (mut indices, mut rows) = (F::INDICES, table.as_slice());
     while let (Some((place, others)), Some((index, left)), Some((row, below))) =
         (places.split_first_mut(), indices.split_first(), rows.split_first())
     {
-        *place = MappedPdo { index: *index, mapping: row, is_own: true };
+        *place = MappedPdo { members: F::MEMBERS, ..MappedPdo::own(*index, row) };
         (places, indices, rows) = (others, left, below);
     }
     pdos

@@ -5,29 +5,62 @@ use std::collections::BTreeMap;
 use devc_runtime::object::{Address, Entry, Marker, Readable, Value, Writable};
 use devc_runtime::sdo::CommunicationState::Operational;
 use devc_runtime::sdo::{
-    AbortCode, Access, DataType, Dictionary, EntryInfo, ObjectCode, ObjectInfo, Page, Place,
+    AbortCode, Access, DataType, Dictionary, EntryInfo, NONE, ObjectCode, ObjectInfo, Page, Place, Values,
+    positions,
 };
+use devc_runtime::unit::Measurand;
 
-use crate::c887::{Axis, C887, Controlword, DICTIONARY, objects};
+use crate::c887::dictionary::Dictionary as C887Values;
+use crate::c887::{Axis, C887, Controlword, objects};
 
 /// Index, number of entries, field, axis.
-const OBJECTS: [(u16, u8, u16, u8); 15] = [
-    (0x1008, 1, 0, 0),
-    (0x6040, 1, 1, 0),
-    (0x6041, 1, 2, 0),
-    (0x6060, 1, 3, 0),
-    (0x6061, 1, 4, 0),
-    (0x6064, 1, 5, 0),
-    (0x607A, 1, 6, 0),
-    (0x607D, 3, 7, 0),
-    (0x6840, 1, 1, 1),
-    (0x6841, 1, 2, 1),
-    (0x6860, 1, 3, 1),
-    (0x6861, 1, 4, 1),
-    (0x6864, 1, 5, 1),
-    (0x687A, 1, 6, 1),
-    (0x687D, 3, 7, 1),
+const OBJECTS: [(u16, u8, u16, u8); 5] =
+    [(0x1008, 1, 0, 0), (0x6040, 1, 1, 0), (0x607D, 3, 2, 0), (0x6840, 1, 1, 1), (0x687D, 3, 2, 1)];
+
+/// The objects of an axis, the same for each.
+static AXIS: [ObjectInfo; 2] = [
+    ObjectInfo { code: ObjectCode::Variable, axis: 0, field: 1, entries: &[byte(0, 0)], constants: 0 },
+    ObjectInfo {
+        code: ObjectCode::Record,
+        axis: 0,
+        field: 2,
+        entries: &[byte(0, EntryInfo::CONSTANT), byte(1, 0), byte(2, 1)],
+        constants: 0,
+    },
 ];
+
+/// Where they are, from 0x..40 on.
+static SLOTS: [u8; 62] = positions(0x40, &[0x40, 0x7D]);
+
+/// Two axes that share their tables, and an object of the device.
+static TWO_AXES: Dictionary = Dictionary {
+    constants: &[2],
+    directory: &{
+        let mut pages = [NONE; 256];
+        (pages[0x10], pages[0x60], pages[0x68]) = (0, 1, 2);
+        pages
+    },
+    pages: &[
+        Page {
+            first: 0x08,
+            axis: 0,
+            slots: &[0],
+            objects: &[ObjectInfo {
+                code: ObjectCode::Variable,
+                axis: 0,
+                field: 0,
+                entries: &[byte(0, 0)],
+                constants: 0,
+            }],
+        },
+        Page { first: 0x40, axis: 0, slots: &SLOTS, objects: &AXIS },
+        Page { first: 0x40, axis: 1, slots: &SLOTS, objects: &AXIS },
+    ],
+};
+
+const fn byte(subindex: u8, item: u8) -> EntryInfo {
+    EntryInfo { subindex, item, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ }
+}
 
 /// The number of entries at subindex 0 of a record never changes.
 fn places((index, count, field, axis): (u16, u8, u16, u8)) -> Vec<(Address, Option<Place>)> {
@@ -42,7 +75,7 @@ fn every_address_is_found_or_told_missing() {
     for index in 0..=u16::MAX {
         for subindex in [0, 1, 2, 3, 4, 127, 255] {
             let address = Address::new(index, subindex);
-            let found = DICTIONARY.find(address).map(|found| found.place());
+            let found = TWO_AXES.find(address).map(|found| found.place());
             let missing = match OBJECTS.iter().any(|(of, ..)| *of == index) {
                 true => AbortCode::NO_SUCH_SUBINDEX,
                 false => AbortCode::NO_SUCH_OBJECT,
@@ -50,21 +83,18 @@ fn every_address_is_found_or_told_missing() {
             assert_eq!(found, expected.get(&address).copied().ok_or(missing), "{address}");
         }
     }
-    let count = DICTIONARY.find(Address::new(0x687D, 0)).unwrap();
-    assert_eq!(DICTIONARY.constant(count), Some([2].as_slice()));
+    let count = TWO_AXES.find(Address::new(0x687D, 0)).unwrap();
+    assert_eq!(TWO_AXES.constant(count), Some([2].as_slice()));
 }
 
 #[test]
 fn objects_are_listed_ascending() {
-    let listed: Vec<u16> = DICTIONARY.objects().map(|(index, _)| index).collect();
+    let listed: Vec<u16> = TWO_AXES.objects().map(|(index, _)| index).collect();
     assert_eq!(listed, OBJECTS.map(|(index, ..)| index));
 }
 
 #[test]
 fn subindices_may_have_gaps() {
-    const fn byte(subindex: u8) -> EntryInfo {
-        EntryInfo { subindex, item: subindex, data_type: DataType::UNSIGNED8, bits: 8, access: Access::READ }
-    }
     static DICTIONARY: Dictionary = Dictionary {
         constants: &[],
         directory: &[0; 256],
@@ -76,7 +106,7 @@ fn subindices_may_have_gaps() {
                 code: ObjectCode::Record,
                 axis: 0,
                 field: 0,
-                entries: &[byte(0), byte(1), byte(4), byte(254)],
+                entries: &[byte(0, 0), byte(1, 1), byte(4, 4), byte(254, 254)],
                 constants: 0,
             }],
         }],
@@ -103,12 +133,12 @@ fn tables_that_point_nowhere_hold_no_objects() {
 }
 
 /// What the types of an entry say, and what the table says.
-fn same<T: Value, A: Marker>(entry: Entry<C887, T, A>) {
+fn same<T: Value, A: Marker, M, Q: Measurand>(entry: Entry<C887, T, A, M, Q>) {
     let (access, size) = (entry.access(), T::SIZE);
     let rights = |of: Access| [of.check_read(Operational), of.check_write(Operational)];
-    let found = DICTIONARY.find(entry.address()).map(|found| found.entry);
+    let found = C887Values::DEFAULT.table().find(entry.address()).map(|found| found.entry);
     let found = found.map(|info| (info.data_type, usize::from(info.bytes()), rights(info.access)));
-    assert_eq!(found, Ok((T::DATA_TYPE, size, rights(access))), "{entry}");
+    assert_eq!(found, Ok((T::DATA_TYPE, size, rights(access))), "{}", entry.address());
 }
 
 #[test]
@@ -120,10 +150,10 @@ fn types_and_table_agree() {
         same(objects::modes_of_operation_display(axis));
         same(objects::position_actual_value(axis));
         same(objects::target_position(axis));
-        same(objects::software_position_limit::min(axis));
-        same(objects::software_position_limit::max(axis));
+        same(objects::software_position_limit::min_position_limit(axis));
+        same(objects::software_position_limit::max_position_limit(axis));
     }
-    let name = DICTIONARY.find(objects::DEVICE_NAME.address()).unwrap().entry;
+    let name = C887Values::DEFAULT.table().find(objects::MANUFACTURER_DEVICE_NAME.address()).unwrap().entry;
     assert_eq!((name.data_type, name.bytes()), (DataType::VISIBLE_STRING, 14));
 }
 
@@ -132,11 +162,14 @@ fn types_and_table_agree() {
 struct Memory(BTreeMap<Address, Vec<u8>>);
 
 impl Memory {
-    fn write<T: Value, A: Writable>(&mut self, entry: Entry<C887, T, A>, value: T) {
+    fn write<T: Value, A: Writable, M, Q: Measurand>(&mut self, entry: Entry<C887, T, A, M, Q>, value: T) {
         self.0.insert(entry.address(), entry.encode(value).as_ref().to_vec());
     }
 
-    fn read<T: Value, A: Readable>(&self, entry: Entry<C887, T, A>) -> Result<T, AbortCode> {
+    fn read<T: Value, A: Readable, M, Q: Measurand>(
+        &self,
+        entry: Entry<C887, T, A, M, Q>,
+    ) -> Result<T, AbortCode> {
         let data = self.0.get(&entry.address()).ok_or(AbortCode::NO_DATA)?;
         Ok(entry.decode(data)?)
     }
@@ -146,9 +179,9 @@ impl Memory {
 fn a_master_reads_what_it_wrote() {
     let mut drive = Memory::default();
     drive.write(objects::controlword(Axis::Y), Controlword(0x000F));
-    drive.write(objects::software_position_limit::min(Axis::X), -1_000_000);
+    drive.write(objects::software_position_limit::min_position_limit(Axis::X), -1_000_000);
     assert_eq!(drive.read(objects::controlword(Axis::Y)), Ok(Controlword(0x000F)));
-    assert_eq!(drive.read(objects::software_position_limit::min(Axis::X)), Ok(-1_000_000));
+    assert_eq!(drive.read(objects::software_position_limit::min_position_limit(Axis::X)), Ok(-1_000_000));
     assert_eq!(drive.read(objects::controlword(Axis::X)), Err(AbortCode::NO_DATA));
     drive.0.insert(Address::new(0x6064, 0), vec![0; 8]);
     assert_eq!(drive.read(objects::position_actual_value(Axis::X)), Err(AbortCode::LENGTH_TOO_HIGH));
@@ -156,8 +189,8 @@ fn a_master_reads_what_it_wrote() {
 
 #[test]
 fn a_text_ends_where_the_padding_starts() {
-    assert_eq!(objects::DEVICE_NAME.decode(b"C-887 EtherCAT"), Ok("C-887 EtherCAT"));
-    assert_eq!(objects::DEVICE_NAME.decode(b"C-887\0\0\0"), Ok("C-887"));
-    assert_eq!(objects::DEVICE_NAME.decode(b""), Ok(""));
-    assert!(objects::DEVICE_NAME.decode(b"\xFF").is_err());
+    assert_eq!(objects::MANUFACTURER_DEVICE_NAME.decode(b"C-887 EtherCAT"), Ok("C-887 EtherCAT"));
+    assert_eq!(objects::MANUFACTURER_DEVICE_NAME.decode(b"C-887\0\0\0"), Ok("C-887"));
+    assert_eq!(objects::MANUFACTURER_DEVICE_NAME.decode(b""), Ok(""));
+    assert!(objects::MANUFACTURER_DEVICE_NAME.decode(b"\xFF").is_err());
 }

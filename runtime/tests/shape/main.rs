@@ -1,5 +1,8 @@
-//! Generated code leans on the runtime as `c887.rs` does: by hand here, so that its shape is tried before devc makes it.
+//! Generated code leans on the runtime: the module of the C-887 as devc made it, against the manual and against bytes laid
+//! out by hand.
 
+#[rustfmt::skip]
+#[path = "../../../generated/c887/c887.rs"]
 mod c887;
 mod dictionary;
 #[cfg(feature = "ethercrab")]

@@ -1,5 +1,6 @@
 //! Process data against bytes laid out by the mapping.
 
+use devc_runtime::cia402::Mode as _;
 use devc_runtime::object::Address;
 use devc_runtime::pdo::{Direction, Mapping, Pdo, ProcessData};
 
@@ -83,9 +84,8 @@ fn a_frame_of_another_length_is_left_alone() {
 
 #[test]
 fn the_mode_that_is_displayed_is_one_of_the_device_or_stays_a_number() {
-    let mode = |code| TxPdo1A00 { modes_of_operation_display: code, ..TxPdo1A00::unpack([0; 11]) }.mode();
-    let known: Vec<_> = (i8::MIN..=i8::MAX).filter_map(|code| mode(code).ok()).collect();
+    let known: Vec<_> = (i8::MIN..=i8::MAX).filter_map(|code| ModeOfOperation::decode(code).ok()).collect();
     use ModeOfOperation::*;
-    assert_eq!(known, [None, Homing, CyclicSynchronousPosition]);
-    assert_eq!(mode(-1).unwrap_err().to_string(), "unknown mode of operation -1");
+    assert_eq!(known, [NoMode, Hm, Csp]);
+    assert_eq!(ModeOfOperation::decode(-1).unwrap_err().to_string(), "unknown mode of operation -1");
 }

@@ -3,9 +3,10 @@
 use super::clocks::{self, OpMode};
 use super::dictionary::{self, Dictionary};
 use super::node::{
-    Node, attribute, bytes, children, content, flag, number, only, optional, optional_number, optional_text,
-    text,
+    Node, attribute, bytes, children, content, english, flag, number, only, optional, optional_english,
+    optional_number, optional_text, text,
 };
+use super::texts::{Message, messages, translations};
 
 /// A device.
 #[derive(Debug)]
@@ -26,6 +27,14 @@ pub struct Device {
     pub sync_units: Vec<String>,
     /// Its name.
     pub name: String,
+    /// Where to read about it.
+    pub url: Option<String>,
+    /// Texts in other languages than English: the name of the element, the number of the language, and the text.
+    pub translations: Vec<(String, u16, String)>,
+    /// The current from the E-bus, in milliamperes.
+    pub ebus_current: Option<i32>,
+    /// The messages of its diagnosis history.
+    pub messages: Vec<Message>,
     /// The type of its group.
     pub group: String,
     /// Number and additional information of its profile.
@@ -173,7 +182,14 @@ pub(super) fn read(node: Node<'_, '_>) -> Result<Device, String> {
             .collect::<Result<_, _>>()?,
         timeouts: timeouts(node)?,
         sync_units: children(node, "Su").map(content).collect(),
-        name: text(node, "Name")?,
+        name: english(node, "Name")?,
+        url: optional_english(node, "URL")?,
+        translations: translations(node),
+        ebus_current: optional(node, "Info")?
+            .and_then(|info| only(info, "Electrical").ok())
+            .map(|it| number(it, "EBusCurrent"))
+            .transpose()?,
+        messages: messages(profile)?,
         group: text(node, "GroupType")?,
         profile: (optional_number(profile, "ProfileNo")?, optional_number(profile, "AddInfo")?),
         channels: children(profile, "ChannelInfo").map(channel).collect::<Result<_, _>>()?,
@@ -226,7 +242,7 @@ fn sync_manager(node: Node<'_, '_>) -> Result<SyncManager, String> {
 fn pdo(node: Node<'_, '_>) -> Result<Pdo, String> {
     Ok(Pdo {
         index: number(node, "Index")?,
-        name: text(node, "Name")?,
+        name: english(node, "Name")?,
         fixed: flag(node, "Fixed"),
         mandatory: flag(node, "Mandatory"),
         sync_manager: attribute(node, "Sm")?,
@@ -241,7 +257,7 @@ fn entry(node: Node<'_, '_>) -> Result<PdoEntry, String> {
         index: number(node, "Index")?,
         subindex: optional_number(node, "SubIndex")?,
         bits: number(node, "BitLen")?,
-        name: optional_text(node, "Name")?,
+        name: optional_english(node, "Name")?,
         data_type: optional_text(node, "DataType")?,
     })
 }

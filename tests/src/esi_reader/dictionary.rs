@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::node::{
-    Node, children, complaint, number, only, optional, optional_bytes, optional_number, optional_text, text,
+    Node, children, complaint, english, number, only, optional, optional_bytes, optional_number,
+    optional_text, text,
 };
 
 /// An object dictionary.
@@ -260,13 +261,13 @@ fn sub_item(node: Node<'_, '_>) -> Result<SubItem, String> {
 }
 
 fn choice(node: Node<'_, '_>) -> Result<(i64, String), String> {
-    Ok((number(node, "Enum")?, text(node, "Text")?))
+    Ok((number(node, "Enum")?, english(node, "Text")?))
 }
 
 fn object(node: Node<'_, '_>) -> Result<Object, String> {
     Ok(Object {
         index: number(node, "Index")?,
-        name: text(node, "Name")?,
+        name: english(node, "Name")?,
         comment: optional_text(node, "Comment")?,
         type_name: text(node, "Type")?,
         bits: number(node, "BitSize")?,

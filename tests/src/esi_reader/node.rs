@@ -44,6 +44,24 @@ pub(super) fn optional_text(node: Node<'_, '_>, name: &str) -> Result<Option<Str
     Ok(optional(node, name)?.map(content))
 }
 
+/// The English text among the children of a name, or the only one.
+pub(super) fn english(node: Node<'_, '_>, name: &str) -> Result<String, String> {
+    optional_english(node, name)?.ok_or_else(|| complaint(node, &format!("lacks {name} in English")))
+}
+
+/// The English text among the children of a name, if there is one; two of a language are an error.
+pub(super) fn optional_english(node: Node<'_, '_>, name: &str) -> Result<Option<String>, String> {
+    let mut seen = Vec::new();
+    for child in children(node, name) {
+        let language = child.attribute("LcId").unwrap_or("1033");
+        if seen.contains(&language) {
+            return Err(complaint(child, "is the second of its language"));
+        }
+        seen.push(language);
+    }
+    Ok(children(node, name).find(|it| it.attribute("LcId").unwrap_or("1033") == "1033").map(content))
+}
+
 /// The number in an element.
 pub(super) fn value<T: TryFrom<i64> + FromStr>(node: Node<'_, '_>) -> Result<T, String> {
     parse(&content(node))

@@ -9,7 +9,7 @@ use crate::subjects::{Subject, is_named, subjects};
 const UNASSIGNED: u8 = 255;
 
 /// The file as the crate can take it: it wants an `Sm` on every PDO, although the schema and all tools take one
-/// without it as not assigned, and knows no `Su`.
+/// without it as not assigned, and knows no `Su` and one language only.
 fn readable(xml: &str) -> String {
     let with_sm = |line: &str| {
         let pdo = line.trim_start().starts_with("<RxPdo") || line.trim_start().starts_with("<TxPdo");
@@ -18,7 +18,9 @@ fn readable(xml: &str) -> String {
             _ => format!("{line}\n"),
         }
     };
-    xml.lines().filter(|line| !line.trim_start().starts_with("<Su>")).map(with_sm).collect()
+    let is_other = |line: &str| line.contains("LcId=") && !line.contains("LcId=\"1033\"");
+    let known = xml.lines().filter(|line| !line.trim_start().starts_with("<Su>") && !is_other(line));
+    known.map(with_sm).collect()
 }
 
 fn read(subject: &Subject) -> EtherCatInfo {

@@ -9,6 +9,7 @@ mod crate_reader;
 mod data_types;
 mod dictionary;
 mod head;
+mod languages;
 mod layout;
 mod process_data;
 mod slots;

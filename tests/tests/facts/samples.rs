@@ -64,6 +64,7 @@ fn tables(key: &str, holds: &Json, schema: &Json) -> Vec<Value> {
     }
     let inner = holds.get("additionalProperties").filter(|inner| inner.is_object());
     let inner = inner.map_or_else(|| vec![Value::from("a new fact")], |inner| samples(key, inner, schema));
-    let names = ["1", "0x6040", "0x1600", "B", "about", "Z"];
-    names.into_iter().flat_map(|name| inner.first().map(|value| table(name, value.clone()))).collect()
+    let languages = ["names", "texts", "urls"].contains(&key).then_some("de");
+    let names = languages.into_iter().chain(["1", "0x6040", "0x1600", "B", "about", "Z"]);
+    names.flat_map(|name| inner.first().map(|value| table(name, value.clone()))).collect()
 }

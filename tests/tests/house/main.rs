@@ -5,6 +5,7 @@
 #![allow(clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may
 
 mod code;
+mod links;
 mod modules;
 mod order;
 mod paths;
@@ -44,6 +45,19 @@ impl fmt::Display for Fault {
     }
 }
 
+/// A reader who follows a link gets somewhere, and every chapter of the book is in its contents.
+#[test]
+fn links_lead_somewhere() {
+    let documents = links::documents();
+    let faults: Vec<Fault> = documents.iter().flat_map(|path| links::lost(path)).collect();
+    check(&faults, &[]);
+    let summary = fs::read_to_string(root().join("docs/src/SUMMARY.md")).expect("contents");
+    let chapters = documents.iter().filter(|path| path.starts_with(root().join("docs/src")));
+    let names = chapters.filter_map(|path| path.file_name()?.to_str()).filter(|name| *name != "SUMMARY.md");
+    let missing: Vec<&str> = names.filter(|name| !summary.contains(&format!("({name})"))).collect();
+    assert!(missing.is_empty(), "the contents lack {missing:?}");
+}
+
 #[test]
 fn modules_look_only_downwards() {
     let document = fs::read_to_string(root().join("compiler/docs/architecture.md")).expect("the document");
@@ -68,6 +82,7 @@ fn files_and_functions_are_short() {
         "runtime/tests",
         "virtual/tests",
         "tests",
+        "fuzz",
         "examples",
     ];
     let written = written.iter().flat_map(|folder| sources(folder));

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 
 pub(crate) use roxmltree::Node;
 
+use super::texts::{in_languages, messages};
+
 /// Lines of the file, the first and the last.
 pub(crate) type Lines = (usize, usize);
 
@@ -37,6 +39,11 @@ pub(crate) fn of(device: Node<'_, '_>) -> Facts {
     facts.number("vendor", text_in(vendor, "Id"), &whole);
     facts.text("name", name(device, "Name"), &whole);
     let kind = find(device, "Type").expect("a type");
+    in_languages(device, "Name", "name", &mut facts);
+    facts.text("url", name(device, "URL"), &whole);
+    in_languages(device, "URL", "url", &mut facts);
+    let electrical = find(device, "Info").and_then(|it| find(it, "Electrical"));
+    facts.number("e-bus", electrical.and_then(|it| text_in(it, "EBusCurrent")), &whole);
     facts.text("type", Some(content(kind)), &whole);
     facts.number("product", kind.attribute("ProductCode").map(str::to_owned), &whole);
     facts.number("revision", kind.attribute("RevisionNo").map(str::to_owned), &whole);
@@ -63,8 +70,11 @@ pub(crate) fn of(device: Node<'_, '_>) -> Facts {
         facts.number("eeprom/size", text_in(eeprom, "ByteSize"), &at);
         let config = text_in(eeprom, "ConfigData").map(|it| it.to_uppercase());
         facts.text("eeprom/config", config.filter(|it| !it.is_empty()), &at);
+        let boot = text_in(eeprom, "BootStrap").map(|it| it.to_uppercase());
+        facts.text("eeprom/bootstrap", boot.filter(|it| !it.is_empty()), &at);
     }
     super::objects::dictionary(device, &mut facts);
+    messages(device, &mut facts);
     facts.facts
 }
 
@@ -143,6 +153,7 @@ fn pdo(node: Node<'_, '_>, way: &str, facts: &mut Collector) {
         return;
     }
     facts.text(&format!("{key}/name"), name(node, "Name"), &at);
+    in_languages(node, "Name", &format!("{key}/name"), facts);
     for attribute in ["Fixed", "Mandatory"] {
         let value = truth(node.attribute(attribute)).to_string();
         facts.text(&format!("{key}/{}", attribute.to_lowercase()), Some(value), &at);
@@ -160,6 +171,7 @@ fn pdo(node: Node<'_, '_>, way: &str, facts: &mut Collector) {
         facts.text(&key, Some(format!("{index:04X}:{subindex:02X} {bits}")), &at);
         if index > 0 {
             facts.text(&format!("{key}/name"), name(entry, "Name"), &at);
+            in_languages(entry, "Name", &format!("{key}/name"), facts);
             let kind = text_in(entry, "DataType").filter(|it| !it.is_empty());
             facts.text(
                 &format!("{key}/type"),

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::facts::{Collector, Lines, Node, all, content, find, lines, name, number, text_in};
+use super::texts::in_languages;
 
 type Types<'a, 'd> = BTreeMap<String, Node<'a, 'd>>;
 
@@ -29,6 +30,7 @@ fn object(node: Node<'_, '_>, types: &Types<'_, '_>, facts: &mut Collector) {
     let mut at = vec![lines(node)];
     at.extend(declared.map(lines));
     facts.text(&format!("object/{index:04X}/name"), name(node, "Name"), &at);
+    in_languages(node, "Name", &format!("object/{index:04X}/name"), facts);
     let flags = find(node, "Flags");
     let items: Vec<Node<'_, '_>> = declared.into_iter().flat_map(|it| all(it, "SubItem")).collect();
     if items.is_empty() {
@@ -57,6 +59,7 @@ fn object(node: Node<'_, '_>, types: &Types<'_, '_>, facts: &mut Collector) {
             }
             (subindex, _) => {
                 let subindex = subindex.unwrap_or(places.len() as i64);
+                in_languages(item, "DisplayName", &format!("object/{index:04X}:{subindex:02X}/name"), facts);
                 places.push((subindex, name(item, "Name"), kind, text_in(item, "BitSize"), own));
             }
         }
@@ -123,15 +126,45 @@ fn value(
     }
     for what in ["Default", "Min", "Max"] {
         let bytes = info.and_then(|info| bytes(info, what, &kind, bits));
+        // A limit that the type has anyway says nothing.
+        let bytes = bytes.filter(|bytes| !is_bound(what, bytes, &kind));
         facts.text(&format!("{key}/{}", what.to_lowercase()), bytes, at);
     }
     let choices = declared.into_iter().flat_map(|it| all(it, "EnumInfo"));
     let choices: Vec<_> =
-        choices.filter_map(|it| Some((number(&text_in(it, "Enum")?)?, name(it, "Text")?))).collect();
+        choices.filter_map(|it| Some((number(&text_in(it, "Enum")?)?, name(it, "Text")?, it))).collect();
     if choices.len() > 1 {
-        for (number, name) in choices {
+        for (number, name, node) in choices {
             facts.text(&format!("{key}/choice/{number}"), Some(name), at);
+            in_languages(node, "Text", &format!("{key}/choice/{number}"), facts);
         }
+    }
+}
+
+/// Whether a limit is the least or the greatest value of an integer type.
+fn is_bound(what: &str, bytes: &str, kind: &str) -> bool {
+    let (signed, width) = match kind {
+        "SINT" => (true, 1),
+        "INT" => (true, 2),
+        "DINT" => (true, 4),
+        "LINT" => (true, 8),
+        "USINT" | "BYTE" => (false, 1),
+        "UINT" | "WORD" => (false, 2),
+        "UDINT" | "DWORD" => (false, 4),
+        "ULINT" => (false, 8),
+        "BOOL" => return what == "Min" && bytes.is_empty() || what == "Max" && bytes == "01",
+        _ => match kind.strip_prefix("BIT").and_then(|bits| bits.parse::<u32>().ok()) {
+            Some(bits @ 1..=8) if what == "Max" => return bytes == format!("{:02X}", (1_u32 << bits) - 1),
+            Some(1..=8) => return what == "Min" && bytes.is_empty(),
+            _ => return false,
+        },
+    };
+    let (least, greatest) = if signed { ("80", "7F") } else { ("", "FF") };
+    match what {
+        "Min" if !signed => bytes.is_empty(),
+        "Min" => bytes == "00".repeat(width - 1) + least,
+        "Max" => bytes == "FF".repeat(width - 1) + greatest,
+        _ => false,
     }
 }
 

@@ -140,3 +140,29 @@ fn what_is_empty_vanishes_with_its_line_of_the_contents() {
     assert!(text.contains(r"# Bare \| \<b>"), "{text}");
     assert_eq!(chapters.len() - 1, text.lines().filter(|line| line.starts_with("- [")).count(), "{text}");
 }
+
+/// A drive whose torque is in tenths of a percent: raw 4000 is 400 %, and so does the reference say.
+#[test]
+fn raw_limits_are_said_in_their_unit() {
+    let objects = "
+[objects.0x2000]
+name = \"Torque limits\"
+type = \"INT16\"
+access = \"rw\"
+unit = \"torque\"
+min = -4000
+max = 4000
+default = 1005
+
+[units.torque]
+quantity = \"torque\"
+symbol = \"%\"
+raw-per-unit = 10
+";
+    let loader = Memory::new().with("/scaled/device.toml", format!("{BARE}{objects}"));
+    let compilation = devc::compile(&loader, Path::new("/scaled"));
+    let messages: Vec<_> = compilation.diagnostics.iter().map(|message| &message.message).collect();
+    let text = reference(&compilation.family.unwrap_or_else(|| panic!("{messages:?}")));
+    assert!(text.contains("`-4000` to `4000` (−400 to 400 %)"), "{text}");
+    assert!(text.contains("`1005` (100.5 %)"), "{text}");
+}

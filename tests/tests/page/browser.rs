@@ -4,6 +4,8 @@ use std::fs;
 use std::process::{Command, Output, Stdio};
 use std::sync::Mutex;
 
+use serde_json::Value;
+
 /// One browser at a time, so that small machines keep up.
 static TURN: Mutex<()> = Mutex::new(());
 
@@ -32,6 +34,22 @@ impl Browser {
         String::from_utf8(output.stdout).expect("a document is text")
     }
 
+    /// What a script says of the page: the JSON of what its function returns, or promises.
+    pub(crate) fn ask(&self, page: &str, before: &str, function: &str) -> Value {
+        // the policy forbids other scripts, which is the point of it
+        let open = page.replacen("http-equiv=\"Content-Security-Policy\"", "name=\"policy\"", 1);
+        let asked = format!(
+            "<p id=\"answer\"></p><script>{before}</script><script>\
+             Promise.resolve().then(() => {{ {function} }}).catch((error) => String(error)).then((answer) => {{\
+             document.getElementById(\"answer\").textContent = encodeURIComponent(JSON.stringify(answer)); }});\
+             </script></body>"
+        );
+        let (body, _) = open.rsplit_once("</body>").expect("a page has a body");
+        let document = self.open(&format!("{body}{asked}"), "");
+        let answer = percent_decoded(&text_of(&document, "answer"));
+        serde_json::from_str(&answer).unwrap_or_else(|error| panic!("{error}: {answer}"))
+    }
+
     /// What the page, or the policy of the page, writes to the console.
     pub(crate) fn complaints(&self, page: &str) -> Vec<String> {
         let output = self.run(page, "", &["--dump-dom", "--enable-logging=stderr"]);
@@ -54,6 +72,20 @@ impl Browser {
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         output
     }
+}
+
+/// A text as it was before `encodeURIComponent`.
+fn percent_decoded(text: &str) -> String {
+    let mut bytes = Vec::new();
+    let mut rest = text.bytes();
+    while let Some(byte) = rest.next() {
+        let digit = |byte: Option<u8>| char::from(byte.expect("two digits")).to_digit(16).expect("a digit");
+        bytes.push(match byte {
+            b'%' => u8::try_from(digit(rest.next()) * 16 + digit(rest.next())).expect("a byte"),
+            other => other,
+        });
+    }
+    String::from_utf8(bytes).expect("UTF-8")
 }
 
 /// The text of the element of an id.

@@ -7,6 +7,7 @@ mod bounded;
 mod c887;
 mod complete;
 mod dictionary;
+mod family;
 mod geared;
 mod images;
 mod information;

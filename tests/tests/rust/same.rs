@@ -6,9 +6,10 @@ use devc::emit::rust::{Options, text, tokens};
 use devc::lint::Checked;
 use devc::model::Family;
 use devc::source::Disk;
+use proc_macro2::{Punct, Spacing, TokenTree};
 use quote::{ToTokens, quote};
 use syn::visit_mut::VisitMut;
-use syn::{Attribute, Expr, Item, Lit, Meta, MetaNameValue, parse_quote};
+use syn::{Attribute, Expr, Item, Lit, Macro, Meta, MetaNameValue, parse_quote};
 
 const GENERATED: &str = include_str!("../../../generated/c887/c887.rs");
 
@@ -51,6 +52,41 @@ impl VisitMut for Docs {
             text.split('\n').map(line).collect()
         };
         *attributes = std::mem::take(attributes).into_iter().flat_map(lines).collect();
+    }
+
+    /// What macros are given is not parsed, but their fields have documentation, too.
+    fn visit_macro_mut(&mut self, called: &mut Macro) {
+        let mut trees = std::mem::take(&mut called.tokens).into_iter().peekable();
+        while let Some(tree) = trees.next() {
+            let text =
+                trees.peek().filter(|_| matches!(&tree, TokenTree::Punct(sign) if sign.as_char() == '#'));
+            let Some(text) = text.and_then(documentation) else {
+                called.tokens.extend([apart(tree)]);
+                continue;
+            };
+            trees.next();
+            called.tokens.extend(text.split('\n').map(|line| quote!(#[doc = #line])));
+        }
+    }
+}
+
+/// A reference as `quote!` has it: apart from the lifetime behind it.
+fn apart(tree: TokenTree) -> TokenTree {
+    match tree {
+        TokenTree::Punct(sign) if sign.as_char() == '&' => Punct::new('&', Spacing::Alone).into(),
+        other => other,
+    }
+}
+
+/// The text of an attribute's brackets, if it is documentation.
+fn documentation(tree: &TokenTree) -> Option<String> {
+    let TokenTree::Group(brackets) = tree else { return None };
+    let MetaNameValue { path, value: Expr::Lit(value), .. } = syn::parse2(brackets.stream()).ok()? else {
+        return None;
+    };
+    match value.lit {
+        Lit::Str(text) if path.is_ident("doc") => Some(text.value()),
+        _ => None,
     }
 }
 

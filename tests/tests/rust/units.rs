@@ -83,12 +83,12 @@ fn what_an_axis_measures_is_asked_of_the_axis() {
 /// the peak current of the amplifier, which only the drive knows; increments are counted as they are.
 #[test]
 fn entries_of_the_s700_say_what_their_numbers_mean() {
-    use s700::s700::{S700, objects};
+    use s700::{Family, s700::objects};
     assert_eq!(objects::VELOCITY_SETPOINT.nearest(AngularVelocity::rpm(100)), Ok(13_981));
     assert_eq!(objects::ADDITIVE_VELOCITY_SETPOINT.exact(AngularVelocity::rpm(1875)), Ok(128 * 262_144));
     assert_eq!(objects::CURRENT_SETPOINT.unit().raw(-1), Some(-3280));
     assert_eq!(objects::ACTUAL_CURRENT_VALUE.physical(1500), Current::milliamperes(1500));
-    let _: Entry<S700, i32, ReadWrite, Rx> = objects::POSITION_SETPOINT;
+    let _: Entry<Family, i32, ReadWrite, Rx> = objects::POSITION_SETPOINT;
 }
 
 /// Pilz 1005347, 5.1.4.2.2: 1 048 576 increments to a revolution, on either axis; a window has no sign.

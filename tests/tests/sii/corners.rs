@@ -33,6 +33,11 @@ fn the_header_takes_what_is_described() {
     );
     assert_eq!((image.long(8), image.long(0xA), image.long(0xC)), (0xFFFF_FFFF, 0x8000_0001, 0x0001_0002));
     assert_eq!(image.long(0xE), 77, "the serial number");
+    assert_eq!(
+        image.words[0x14..0x18],
+        [0x1000, 0x100, 0x1400, 0x200],
+        "the mailbox in Bootstrap, out and in"
+    );
     assert_eq!(image.words[0x1C], 0x02 + 0x04 + 0x08 + 0x10 + 0x20);
     assert_eq!(image.words[0x3E], 31, "4096 bytes are 32 KiBit, and one is not counted");
 }

@@ -3,18 +3,26 @@
 use devc::model::{Device, Role, SyncManager};
 use devc_runtime::esm::{Area, Areas};
 
-/// The areas that a master has to set. No description has a mailbox for Bootstrap.
+/// The areas that a master has to set.
 pub(super) fn areas(device: &Device) -> Areas {
     let mailbox = |role| device.sync_manager(role).map(mailbox);
     let process_data = |role| device.sync_manager(role).map(|manager| process_data(device, manager));
+    let boot = device.eeprom.boot_mailbox();
+    let boot = boot.map(|areas| areas.map(|(address, size)| Area { address, length: (size, size) }));
     Areas {
         mailbox_out: mailbox(Role::MailboxOut),
         mailbox_in: mailbox(Role::MailboxIn),
-        boot_out: None,
-        boot_in: None,
+        boot_out: boot.map(|[out, _]| out),
+        boot_in: boot.map(|[_, into]| into),
         outputs: process_data(Role::Outputs),
         inputs: process_data(Role::Inputs),
     }
+}
+
+/// The numbers of the sync managers by their roles; one beyond all for a role that there is not.
+pub(super) fn numbers(device: &Device) -> [usize; 4] {
+    let number = |role| device.sync_manager(role).map_or(usize::MAX, |manager| manager.number.into());
+    [Role::MailboxOut, Role::MailboxIn, Role::Outputs, Role::Inputs].map(number)
 }
 
 /// A mailbox may be set to other sizes only if the description says between which.

@@ -2,23 +2,38 @@
 
 use std::time::Duration;
 
+use devc_runtime::coe::MailboxError;
 use devc_runtime::esm::{AlControl, AlState, AlStatus, AlStatusCode, Areas, Change, Configured, Lengths};
 use devc_runtime::pdo::{Rx, Tx};
 
 use super::Drive;
 use super::application::Application;
-use crate::Firmware;
+use super::effects::Effect;
+use super::stored::Order;
+use crate::{Clocks, Event, Firmware};
 
 impl Firmware for Drive {
     fn request(&mut self, control: AlControl, managers: &[Configured; 4]) {
         let lengths = self.lengths();
-        let mut application = Application { has_outputs: self.outputs.is_some() };
+        let mut application = Application {
+            has_outputs: self.outputs.is_some(),
+            clocks: self.facts.clocks.judge(self.clocks),
+            are_signals_missed: self.clocks.are_missed,
+        };
         let change = self.states.request(control, managers, lengths, &mut application);
         self.changed(change);
     }
 
+    fn clocked(&mut self, clocks: Clocks) {
+        self.clocks = clocks;
+    }
+
     fn expected(&mut self) -> (Areas, Lengths) {
         (self.facts.areas, self.lengths())
+    }
+
+    fn numbers(&self) -> [usize; 4] {
+        self.facts.numbers
     }
 
     fn status(&self) -> (AlStatus, AlStatusCode) {
@@ -26,9 +41,11 @@ impl Firmware for Drive {
     }
 
     fn mail(&mut self, message: &[u8], answer: &mut [u8]) -> usize {
-        match self.states.communication() {
-            Some(state) => self.mailbox.answer(message, state, answer),
-            None => 0,
+        match (self.states.communication(), self.states.state()) {
+            (Some(state), _) => self.mailbox.answer(message, state, answer),
+            // there is no new firmware to be taken for a drive that is none
+            (None, AlState::Bootstrap) => MailboxError::UNSUPPORTED_PROTOCOL.encode(0, answer).unwrap_or(0),
+            (None, _) => 0,
         }
     }
 
@@ -62,7 +79,12 @@ impl Firmware for Drive {
     }
 
     fn step(&mut self, elapsed: Duration) {
+        self.act();
         self.cycle(elapsed.as_secs_f64());
+    }
+
+    fn take_events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
     }
 }
 
@@ -82,9 +104,33 @@ impl Drive {
         if from == AlState::Operational {
             self.lose_master();
         }
+        if to == AlState::Operational {
+            self.events.extend(self.facts.clocks.complaint(self.clocks));
+        }
         match (to, self.outputs.take()) {
             (AlState::Operational, Some(image)) => self.take(&image),
             _ => self.outputs = None,
+        }
+    }
+
+    /// Does what writes have set off.
+    fn act(&mut self) {
+        for effect in std::mem::take(&mut self.mailbox.server.hooks.waiting) {
+            match effect {
+                Effect::Triggered(address, trigger) => {
+                    if trigger.clears_errors {
+                        self.axes.iter_mut().for_each(|axis| axis.error = 0);
+                        self.errors.clear();
+                    }
+                    self.events.push(Event::Triggered { address, action: trigger.action.clone() });
+                }
+                Effect::Ordered(order) => {
+                    let values = &mut self.mailbox.server.values;
+                    self.facts.parameters.carry_out(order, values, &mut self.stored);
+                    let is_stored = matches!(order, Order::Store(_));
+                    self.events.push(if is_stored { Event::Stored } else { Event::Restored });
+                }
+            }
         }
     }
 

@@ -25,13 +25,16 @@
 mod application;
 mod areas;
 mod axis;
+mod clocks;
 mod control;
 mod dictionary;
+mod effects;
 mod errors;
 mod firmware;
 mod forever;
 mod machine;
 mod model;
+mod stored;
 
 use devc_runtime::cia402::{Cause, Step};
 use devc_runtime::coe::Mailbox;
@@ -42,12 +45,15 @@ use devc_runtime::sdo::{Server, Values as _};
 use self::axis::{Axis, Order, PARAMETER_ERROR};
 use self::control::Control;
 use self::dictionary::Number;
+use self::effects::Effects;
 use self::errors::Errors;
 use self::model::Facts;
 
 pub use self::axis::AxisStatus;
 pub use self::dictionary::Values;
 pub use self::model::Model;
+pub use self::stored::Stored;
+use crate::{Clocks, Event};
 
 /// Bytes of the longest value that a master may write in segments.
 pub const LONGEST_DOWNLOAD: usize = 2048;
@@ -59,20 +65,33 @@ const MASTER_LOST: [u16; 2] = [0x8100, 0x7500];
 #[derive(Debug, Clone)]
 pub struct Drive {
     facts: &'static Facts,
-    mailbox: Mailbox<Values, (), LONGEST_DOWNLOAD>,
+    mailbox: Mailbox<Values, Effects, LONGEST_DOWNLOAD>,
     states: StateMachine,
     control: Control,
     axes: Vec<Axis>,
     errors: Errors,
     /// Outputs that came in Safe-Operational.
     outputs: Option<Vec<u8>>,
+    /// What a master has set of the clocks.
+    clocks: Clocks,
+    /// Values that outlast a power cycle.
+    stored: Stored,
+    /// What is to be told.
+    events: Vec<Event>,
 }
 
 impl Drive {
     /// A drive that has just been switched on, in Init.
     pub fn new(model: Model) -> Self {
+        Self::with_stored(model, Stored::new())
+    }
+
+    /// The same, with what a master has stored in it before.
+    pub fn with_stored(model: Model, stored: Stored) -> Self {
         let facts = model.facts();
-        let server = Server::new(model.values(), ());
+        let mut values = model.values();
+        facts.parameters.load(&stored, &mut values);
+        let server = Server::new(values, Effects::new(&facts.triggers));
         Self {
             facts,
             mailbox: match model.names() {
@@ -84,7 +103,20 @@ impl Drive {
             axes: facts.axes.iter().map(|axis| Axis::new(axis, facts.machine)).collect(),
             errors: Errors::default(),
             outputs: None,
+            clocks: Clocks::default(),
+            stored,
+            events: Vec::new(),
         }
+    }
+
+    /// What a master has stored in it (CiA 301, 0x1010): it stays when the power is gone.
+    pub const fn stored(&self) -> &Stored {
+        &self.stored
+    }
+
+    /// Switched off and on again.
+    pub fn power_cycle(&mut self) {
+        *self = Self::with_stored(Model::of(self.facts), std::mem::take(&mut self.stored));
     }
 
     /// How the axes are at present, in their order.
@@ -103,6 +135,13 @@ impl Drive {
     pub fn hold(&mut self, axis: usize, is_held: bool) {
         if let Some(axis) = self.axes.get_mut(axis) {
             axis.hold(is_held);
+        }
+    }
+
+    /// The signal of a touch probe of an axis, 0 or 1, has a level from now on.
+    pub fn signal(&mut self, axis: usize, probe: usize, is_high: bool) {
+        if let Some(axis) = self.axes.get_mut(axis) {
+            axis.signal(probe, is_high);
         }
     }
 

@@ -7,7 +7,10 @@ use devc_runtime::object::Address;
 use devc_runtime::sdo::Names;
 
 use super::axis::AxisModel;
+use super::clocks::ClockModes;
 use super::dictionary::{Number, Tables, Values};
+use super::effects::Triggers;
+use super::stored::Parameters;
 use super::{areas, forever, machine};
 
 const ERROR_REGISTER: Address = Address::new(0x1001, 0);
@@ -25,6 +28,8 @@ pub(super) struct Facts {
     pub(super) tables: &'static Tables,
     pub(super) machine: &'static Machine,
     pub(super) areas: Areas,
+    /// The sync managers that have them.
+    pub(super) numbers: [usize; 4],
     pub(super) axes: Vec<AxisModel>,
     /// Whether the axes have one state, and the first commands all.
     pub(super) is_coupled: bool,
@@ -32,6 +37,10 @@ pub(super) struct Facts {
     pub(super) error_register: Option<Number>,
     /// Error codes with the error register that comes with each, and the last of a range.
     pub(super) errors: Vec<(u16, u16, Option<u8>)>,
+    pub(super) clocks: ClockModes,
+    pub(super) triggers: Triggers,
+    /// What 0x1010 stores.
+    pub(super) parameters: Parameters,
 }
 
 impl Model {
@@ -44,10 +53,14 @@ impl Model {
             tables,
             machine,
             areas: areas::areas(device),
+            numbers: areas::numbers(device),
             axes: axes.collect(),
             is_coupled: machine.transitions.iter().any(|one| one.coupling != Coupling::Independent),
             error_register: Number::find(&tables.dictionary, ERROR_REGISTER),
             errors: errors.collect(),
+            clocks: ClockModes::new(device),
+            triggers: Triggers::new(device, &tables.dictionary),
+            parameters: Parameters::new(device, &tables.dictionary),
         }))
     }
 
@@ -64,6 +77,10 @@ impl Model {
     /// Its state machine.
     pub fn machine(self) -> &'static Machine {
         self.0.machine
+    }
+
+    pub(super) const fn of(facts: &'static Facts) -> Self {
+        Self(facts)
     }
 
     pub(super) fn facts(self) -> &'static Facts {

@@ -126,6 +126,9 @@ impl Controller {
                 };
             done += length;
         }
+        if address < at::RAM {
+            self.registers_read(&range);
+        }
         is_any
     }
 

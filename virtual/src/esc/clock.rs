@@ -1,7 +1,11 @@
 //! Distributed clocks.
 
+use std::time::Duration;
+
 use super::Memory;
 use super::registers as at;
+use super::signals::Signals;
+use crate::Clocks;
 
 /// From one subdevice to the next, in nanoseconds: the cable and the controller, once each way.
 const HOP: u64 = 500;
@@ -17,6 +21,8 @@ pub(crate) struct Clock {
     before: u64,
     behind: u64,
     difference: i64,
+    /// SYNC0 and SYNC1, while they are active.
+    signals: Option<Signals>,
 }
 
 impl Clock {
@@ -24,7 +30,13 @@ impl Clock {
     pub(super) fn new(position: usize, count: usize) -> Self {
         let before = position as u64;
         let ahead = (before + 1).wrapping_mul(0x0000_0003_9E37_79B9);
-        Self { ahead, before, behind: count.saturating_sub(position + 1) as u64, difference: 0 }
+        Self {
+            ahead,
+            before,
+            behind: count.saturating_sub(position + 1) as u64,
+            difference: 0,
+            signals: None,
+        }
     }
 
     /// The local time at which a frame that was sent at `now` arrives.
@@ -32,7 +44,8 @@ impl Clock {
         now.wrapping_add(self.before * HOP).wrapping_add(self.ahead)
     }
 
-    fn system(&self, now: u64, memory: &Memory) -> u64 {
+    /// The system time of a frame that was sent at `now`.
+    pub(super) fn system(&self, now: u64, memory: &Memory) -> u64 {
         self.local(now).wrapping_add(u64::from_le_bytes(memory.array(at::TIME_OFFSET)))
     }
 
@@ -43,9 +56,18 @@ impl Clock {
         let behind = if self.difference < 0 { 0x8000_0000 } else { 0 };
         let size = u32::try_from(self.difference.unsigned_abs()).unwrap_or(u32::MAX) & 0x7FFF_FFFF;
         memory.put(at::TIME_DIFFERENCE, &(size | behind).to_le_bytes());
-        if let Some(next) = self.next_sync0(now, memory) {
+        self.show_signals(now, memory);
+    }
+
+    fn show_signals(&self, now: u64, memory: &mut Memory) {
+        let (time, [has_sync0, has_sync1]) = (self.system(now, memory), generated(memory));
+        let signals = self.signals.as_ref();
+        if let Some(next) = signals.filter(|_| has_sync0).and_then(|signals| signals.next_sync0(time)) {
             memory.put(at::SYNC_START, &next.to_le_bytes());
         }
+        let next = signals.filter(|_| has_sync1).and_then(|signals| signals.next_sync1(time));
+        memory.put(at::SYNC1_NEXT, &next.unwrap_or(0).to_le_bytes());
+        memory.put(at::SYNC_STATUS, &[signals.map_or(0, |signals| signals.status(time))]);
     }
 
     /// Keeps when a frame came, and when it came back from the subdevices behind.
@@ -72,18 +94,32 @@ impl Clock {
         self.difference = 0;
     }
 
-    /// The cycle of SYNC0 in nanoseconds, while it is active.
-    pub(crate) fn sync0_cycle(memory: &Memory) -> Option<u32> {
-        let is_active = memory.byte(at::SYNC_ACTIVATION) & 0x03 == 0x03;
-        let cycle = u32::from_le_bytes(memory.array(at::SYNC0_CYCLE));
-        (is_active && cycle != 0).then_some(cycle)
+    /// What activates the signals was written, or the start time that does so: they begin, go on, or end.
+    pub(super) fn activate(&mut self, now: u64, memory: &Memory) {
+        let is_active = memory.byte(at::SYNC_ACTIVATION) & ACTIVE != 0;
+        let time = self.system(now, memory);
+        let running = self.signals.take();
+        self.signals = is_active.then(|| running.unwrap_or_else(|| Signals::activated(time, memory)));
     }
 
-    /// The time of the next pulse of SYNC0, while it is active.
-    fn next_sync0(&self, now: u64, memory: &Memory) -> Option<u64> {
-        let cycle = u64::from(Self::sync0_cycle(memory)?);
-        let start = u64::from_le_bytes(memory.array(at::SYNC_START));
-        let passed = self.system(now, memory).checked_sub(start)?;
-        start.checked_add((passed.checked_div(cycle)? + 1).checked_mul(cycle)?)
+    /// What a master has set.
+    pub(crate) fn clocks(&self, memory: &Memory) -> Clocks {
+        let [has_sync0, has_sync1] = generated(memory);
+        let signals = self.signals.as_ref();
+        Clocks {
+            sync0: signals.filter(|_| has_sync0).map(|it| Duration::from_nanos(it.sync0_cycle())),
+            sync1: signals.filter(|_| has_sync1).map(|it| Duration::from_nanos(it.sync1_cycle())),
+            are_missed: signals.is_some_and(Signals::are_missed),
+        }
     }
+}
+
+/// Bits of the register that activates the signals: all of them, and with the start time.
+pub(super) const ACTIVE: u8 = 0x01;
+pub(super) const BY_START_TIME: u8 = 0x08;
+
+/// Whether SYNC0 and SYNC1 are asked for.
+fn generated(memory: &Memory) -> [bool; 2] {
+    let activation = memory.byte(at::SYNC_ACTIVATION);
+    [activation & 0x02 != 0, activation & 0x04 != 0]
 }

@@ -4,11 +4,13 @@ use std::ops::Range;
 
 use devc_runtime::esm::{AlStatus, AlStatusCode, Configured};
 
-use super::clock::Clock;
+use super::clock::{self, Clock};
 use super::eeprom::Eeprom;
+use super::latch::Latch;
 use super::registers as at;
 use super::watchdog::ProcessWatchdog;
 use super::{Fmmu, Memory, SyncManager};
+use crate::Clocks;
 use crate::event::Event;
 
 /// Kind, revision, build, numbers of FMMUs and sync managers, KiB of memory, two ports with Ethernet, and what it can: 64-bit
@@ -22,6 +24,7 @@ pub(crate) struct Controller {
     pub(crate) managers: [SyncManager; at::COUNT as usize],
     pub(super) fmmus: [Fmmu; at::COUNT as usize],
     pub(super) clock: Clock,
+    pub(super) latches: [Latch; 2],
     pub(super) eeprom: Eeprom,
     pub(crate) watchdog: ProcessWatchdog,
     pub(super) now: u64,
@@ -54,6 +57,7 @@ impl Controller {
             managers: [SyncManager::new(); at::COUNT as usize],
             fmmus: [Fmmu::default(); at::COUNT as usize],
             clock: Clock::new(0, 1),
+            latches: Default::default(),
             eeprom,
             watchdog,
             now: 0,
@@ -93,18 +97,27 @@ impl Controller {
         self.memory.put(at::AL_STATUS_CODE, &code.0.to_le_bytes());
     }
 
-    /// The settings of sync managers 0 to 3.
-    pub(crate) fn settings(&self) -> [Configured; 4] {
-        let mut settings = [Configured::default(); 4];
-        for (to, manager) in settings.iter_mut().zip(&self.managers) {
-            *to = manager.settings();
-        }
-        settings
+    /// The settings of some sync managers; one that there is not is off.
+    pub(crate) fn settings(&self, numbers: [usize; 4]) -> [Configured; 4] {
+        numbers.map(|number| self.managers.get(number).map(SyncManager::settings).unwrap_or_default())
     }
 
-    /// The cycle of SYNC0 in nanoseconds, while it is active.
-    pub(crate) fn sync0_cycle(&self) -> Option<u32> {
-        Clock::sync0_cycle(&self.memory)
+    /// What is in the EEPROM.
+    pub(crate) fn image(&self) -> Vec<u8> {
+        self.eeprom.image().to_vec()
+    }
+
+    /// What a master has set of the clock.
+    pub(crate) fn clocks(&self) -> Clocks {
+        self.clock.clocks(&self.memory)
+    }
+
+    /// The level at the input of a latch is another, if there is such a latch.
+    pub(crate) fn latch(&mut self, number: u16, is_high: bool) {
+        let time = self.clock.system(self.now, &self.memory);
+        if let Some(latch) = self.latches.get_mut(usize::from(number)) {
+            latch.change(number, is_high, time, &mut self.memory);
+        }
     }
 
     /// Brings those registers up to date that are not memory, before they are read.
@@ -124,13 +137,24 @@ impl Controller {
         }
         if is_read(at::PORT_TIMES, at::CLOCKS_END - at::PORT_TIMES) {
             self.clock.show(self.now, &mut self.memory);
+            for (number, latch) in (0..).zip(&self.latches) {
+                latch.show(number, &mut self.memory);
+            }
         }
     }
 
-    /// Sync managers for which there is something to do for a master.
+    /// Does what follows from registers that a master has read.
+    pub(super) fn registers_read(&mut self, read: &Range<u32>) {
+        for (number, latch) in (0..).zip(&mut self.latches) {
+            latch.was_read(number, read);
+        }
+    }
+
+    /// What there is for a master to do: an edge at a latch, and sync managers.
     pub(super) fn event_request(&self) -> u16 {
+        let latched = u16::from(self.latches.iter().any(Latch::is_pending));
         let pending = self.managers.iter().zip(4..).filter(|(manager, _)| manager.is_pending());
-        pending.fold(0, |request, (_, bit)| request | 1 << bit)
+        pending.fold(latched, |request, (_, bit)| request | 1 << bit)
     }
 
     /// Does what follows from registers that a master has written.
@@ -189,6 +213,14 @@ impl Controller {
         }
         if overlaps(written, at::SPEED_START, 2) {
             self.clock.restart();
+        }
+        let activation = self.memory.byte(at::SYNC_ACTIVATION);
+        if overlaps(written, at::SYNC_START, 8) && activation & clock::BY_START_TIME != 0 {
+            self.memory.put(at::SYNC_ACTIVATION, &[activation | clock::ACTIVE]);
+            self.clock.activate(self.now, &self.memory);
+        }
+        if overlaps(written, at::SYNC_ACTIVATION, 1) {
+            self.clock.activate(self.now, &self.memory);
         }
     }
 }

@@ -45,6 +45,11 @@ impl Eeprom {
         Self { image, status: READS_EIGHT | size, operation: None }
     }
 
+    /// What is in it.
+    pub(super) fn image(&self) -> &[u8] {
+        &self.image
+    }
+
     /// A word of the image.
     fn word(&self, number: usize) -> [u8; 2] {
         let bytes = number.checked_mul(2).and_then(|first| self.image.get(first..)?.first_chunk());

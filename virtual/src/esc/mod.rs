@@ -5,9 +5,11 @@ mod clock;
 mod controller;
 mod eeprom;
 mod fmmu;
+mod latch;
 mod manager;
 mod memory;
 pub(crate) mod registers;
+mod signals;
 mod watchdog;
 mod written;
 

@@ -33,8 +33,14 @@ pub(crate) const SPEED_START: u16 = 0x0930;
 pub(crate) const CLOCKS_END: u16 = 0x0A00;
 pub(crate) const SYNC_ACTIVATION: u16 = 0x0981;
 pub(crate) const SYNC_PULSE: u16 = 0x0982;
+pub(crate) const SYNC_STATUS: u16 = 0x0984;
 pub(crate) const SYNC_START: u16 = 0x0990;
+pub(crate) const SYNC1_NEXT: u16 = 0x0998;
 pub(crate) const SYNC0_CYCLE: u16 = 0x09A0;
+pub(crate) const SYNC1_CYCLE: u16 = 0x09A4;
+pub(crate) const LATCH_CONTROL: u16 = 0x09A8;
+pub(crate) const LATCH_STATUS: u16 = 0x09AE;
+pub(crate) const LATCH_TIMES: u16 = 0x09B0;
 /// Memory for masters and firmware, of no meaning to the controller.
 const USER: u16 = 0x0F80;
 /// Where the memory of process data begins.

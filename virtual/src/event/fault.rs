@@ -76,6 +76,7 @@ pub(crate) fn faults(
     code: AlStatusCode,
     (areas, lengths): (Areas, Lengths),
     managers: &[Configured; 4],
+    numbers: [usize; 4],
 ) -> Vec<ManagerFault> {
     let [mail_out, mail_in, outputs, inputs] = managers;
     let exact = |area: Option<Area>, length: usize| {
@@ -96,6 +97,7 @@ pub(crate) fn faults(
         _ => Vec::new(),
     };
     let faults = judged.into_iter().filter_map(|(manager, area, found, control)| {
+        let manager = numbers.get(manager).copied()?;
         Some(ManagerFault { manager, wrong: wrong(area?, found, control)? })
     });
     faults.collect()

@@ -66,6 +66,26 @@ pub enum Event {
     },
     /// A sync manager of process data was changed while process data is exchanged, which then stands still.
     ManagersChanged,
+    /// The device went to Operational without distributed clocks, which are the only way that it is said to keep time.
+    WithoutClocks,
+    /// SYNC0 comes more often than the device is said to be able to follow.
+    ShortCycle {
+        /// The cycle that the master has set.
+        cycle: Duration,
+        /// The shortest of the description.
+        shortest: Duration,
+    },
+    /// A write set off what the description says of it.
+    Triggered {
+        /// The entry.
+        address: Address,
+        /// What it does.
+        action: String,
+    },
+    /// Parameters were stored, and are there after a power cycle.
+    Stored,
+    /// After a power cycle parameters are as the device was delivered.
+    Restored,
     /// A datagram went to a station that there is not.
     NoStation {
         /// The station address.
@@ -88,19 +108,19 @@ pub enum Event {
 impl Event {
     /// Whether the master did something wrong.
     pub const fn is_complaint(&self) -> bool {
-        !matches!(self, Self::Changed { .. })
+        !matches!(self, Self::Changed { .. } | Self::Triggered { .. } | Self::Stored | Self::Restored)
     }
 }
 
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Changed { state } => write!(f, "is in {}", name(*state)),
+            Self::Changed { state } => write!(f, "is in {}", state_name(*state)),
             Self::Refused { asked, code, faults } => {
-                write!(f, "does not go to {}: {code}", name(*asked))?;
+                write!(f, "does not go to {}: {code}", state_name(*asked))?;
                 faults.iter().try_for_each(|fault| write!(f, "; {fault}"))
             }
-            Self::Fell { state, code } => write!(f, "fell to {}: {code}", name(*state)),
+            Self::Fell { state, code } => write!(f, "fell to {}: {code}", state_name(*state)),
             Self::WatchdogExpired { timeout } => {
                 write!(f, "no outputs came for {timeout:?}, which is the time of the watchdog")
             }
@@ -118,6 +138,15 @@ impl fmt::Display for Event {
             Self::ManagersChanged => f.write_str(
                 "process data stands still, as its sync managers were changed behind Pre-Operational",
             ),
+            Self::WithoutClocks => f.write_str(
+                "runs without SYNC0, while distributed clocks are the only way in which it is said to keep time",
+            ),
+            Self::ShortCycle { cycle, shortest } => {
+                write!(f, "SYNC0 comes every {cycle:?}, while its shortest cycle is {shortest:?}")
+            }
+            Self::Triggered { address, action } => write!(f, "{address} sets off: {action}"),
+            Self::Stored => f.write_str("stores parameters"),
+            Self::Restored => f.write_str("restores parameters, with effect after a power cycle"),
             Self::NoStation { station } => {
                 write!(f, "a datagram went to station 0x{station:04X}, which there is not")
             }
@@ -132,7 +161,8 @@ impl fmt::Display for Event {
     }
 }
 
-fn name(state: Option<AlState>) -> &'static str {
+/// The state in words; of a number that is no state, that it is none.
+pub fn state_name(state: Option<AlState>) -> &'static str {
     match state {
         Some(AlState::Init) => "Init",
         Some(AlState::PreOperational) => "Pre-Operational",

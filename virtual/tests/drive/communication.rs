@@ -1,6 +1,8 @@
 //! The EtherCAT states, with what a master may have set wrongly (ETG.1000.6, EtherCAT state machine).
 
-use devc_runtime::esm::{AlStatusCode, Configured};
+use devc::model::{Address, Index, Role};
+use devc_runtime::esm::{AlState, AlStatusCode, Configured};
+use devc_runtime::sdo::AbortCode;
 use devc_virtual::Firmware;
 
 use crate::bench::{Bench, INIT, OP, PRE_OP, SAFE_OP, device, devices};
@@ -101,4 +103,56 @@ fn outputs_move_nothing_before_operational() {
     bench.request(OP).expect("outputs came");
     bench.cycle();
     bench.all_show("ready-to-switch-on");
+}
+
+/// A device whose EEPROM has no mailbox for it does not have the state (ETG.1000.6, 0x0013).
+#[test]
+fn bootstrap_is_there_where_the_eeprom_has_a_mailbox_for_it() {
+    const BOOTSTRAP: AlState = AlState::Bootstrap;
+    for device in devices() {
+        assert_eq!(
+            Bench::new(device, None).request(BOOTSTRAP),
+            Err(AlStatusCode::NO_BOOTSTRAP),
+            "{}",
+            device.name
+        );
+    }
+    let mut bench = Bench::new(device("own"), None);
+    let mailbox = |address, length, control| Configured { address, length, control, is_on: true };
+    let mut managers = [Configured::default(); 4];
+    [managers[0], managers[1]] = [mailbox(0x1000, 256, 0x26), mailbox(0x1100, 256, 0x22)];
+    assert_eq!(
+        bench.request(BOOTSTRAP),
+        Err(AlStatusCode::INVALID_BOOT_MAILBOX),
+        "that is the mailbox of Pre-Operational"
+    );
+    assert_eq!(bench.request_with(BOOTSTRAP, &managers), Ok(()));
+    // there is no CoE, nor anything else: mailbox error 2, the protocol is not supported
+    let message = [10, 0, 0, 0, 0, 0x13, 0, 0x20, 0x40, 0x00, 0x10, 0, 0, 0, 0, 0];
+    let mut answer = [0; 256];
+    let length = bench.drive.mail(&message, &mut answer);
+    assert_eq!(answer[..length], [4, 0, 0, 0, 0, 0, 1, 0, 2, 0]);
+    assert_eq!(bench.request(PRE_OP), Err(AlStatusCode::INVALID_CHANGE), "the way out is Init");
+    assert_eq!(bench.request(INIT), Ok(()));
+    assert_eq!(bench.request(PRE_OP), Ok(()));
+}
+
+/// S700, 3.5 and 3.6: one PDO each way. A second has no place, and a master that counts on it has the wrong length.
+#[test]
+fn a_second_pdo_has_no_place() {
+    let device = device("s700");
+    let mut bench = Bench::new(device, None);
+    bench.request(PRE_OP).expect("nothing is wrong");
+    let default = device.assigned(Role::Outputs).map(|pdo| pdo.index.0).next().expect("there is one");
+    let at = |subindex| Address { index: Index(0x1C12), subindex };
+    assert_eq!(bench.download(at(0), &[0]), Ok(()));
+    assert_eq!(bench.download(at(1), &default.to_le_bytes()), Ok(()));
+    // CiA 301: there is no such subindex, and more than fits is mapped
+    assert_eq!(bench.download(at(2), &0x1706_u16.to_le_bytes()), Err(AbortCode(0x0609_0011)));
+    assert_eq!(bench.download(at(0), &[2]), Err(AbortCode(0x0604_0042)));
+    assert_eq!(bench.download(at(0), &[1]), Ok(()));
+    let mut managers = bench.managers();
+    managers[2].length += 12;
+    assert_eq!(bench.request_with(SAFE_OP, &managers), Err(AlStatusCode::INVALID_OUTPUTS));
+    assert_eq!(bench.request(SAFE_OP), Ok(()));
 }

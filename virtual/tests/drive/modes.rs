@@ -260,3 +260,24 @@ fn a_drive_without_power_does_not_move() {
         }
     }
 }
+
+/// The Pilz drives' own mode: bits 4 and 5 move the axis by hand, both of them stop it (6.6.10.2).
+#[test]
+fn jogging_moves_while_one_bit_is_set() {
+    each_with(-1, |bench, _| {
+        for axis in bench.axes() {
+            bench.set(bench.on(axis, 0x6081, 0), 4000);
+        }
+        for (bits, way) in [(1 << 4, 1.0), (0, 0.0), (1 << 5, -1.0), (0b11 << 4, 0.0)] {
+            bench.command(0x0F | bits);
+            bench.cycles(100);
+            for axis in bench.drive.axes() {
+                assert_eq!(
+                    axis.velocity.signum() * f64::from(axis.velocity != 0.0),
+                    way,
+                    "{bits:#x}: {axis:?}"
+                );
+            }
+        }
+    });
+}

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use devc::model::{Address, Configuration, Device, Direction, Index, Pdo, Role};
-use devc::source::Disk;
+use devc::source::{Disk, Memory};
 use devc_virtual::drive::Model;
 
 /// Every device that is shipped, compiled once.
@@ -18,17 +18,29 @@ static DEVICES: LazyLock<Vec<(Device, Model)>> = LazyLock::new(|| {
     members.map(|device| (device.clone(), Model::new(device))).collect()
 });
 
+/// A drive that has what no shipped one has.
+static OWN: LazyLock<(Device, Model)> = LazyLock::new(|| {
+    let memory = Memory::default().with("own/device.toml", include_bytes!("own.toml").to_vec());
+    let family = devc::compile(&memory, Path::new("own")).family.expect("the description has no errors");
+    (family.members[0].clone(), Model::new(&family.members[0]))
+});
+
+fn known() -> impl Iterator<Item = &'static (Device, Model)> {
+    DEVICES.iter().chain(std::iter::once(&*OWN))
+}
+
+/// Those that are shipped.
 pub(crate) fn devices() -> impl Iterator<Item = &'static Device> {
     DEVICES.iter().map(|(device, _)| device)
 }
 
 pub(crate) fn device(id: &str) -> &'static Device {
-    devices().find(|device| device.id == id).expect("it is a member")
+    known().map(|(device, _)| device).find(|device| device.id == id).expect("it is a member")
 }
 
 /// What a device runs on.
 pub(crate) fn model(device: &Device) -> Model {
-    DEVICES.iter().find(|(of, _)| of.id == device.id).expect("it is a member").1
+    known().find(|(of, _)| of.id == device.id).expect("it is a member").1
 }
 
 /// Where entries lie in the process data of a direction: first bit and width.

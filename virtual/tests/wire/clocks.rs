@@ -105,13 +105,141 @@ fn sync0_comes_at_whole_cycles() {
     let start = now + 10_000_000;
     write(&mut bench, 0, 0x0990, &start.to_le_bytes());
     write(&mut bench, 0, 0x09A0, &1_000_000_u32.to_le_bytes());
-    assert_eq!(bench.wire.subdevices()[0].sync0_cycle(), None);
+    assert_eq!(bench.wire.subdevices()[0].clocks().sync0, None);
     write(&mut bench, 0, 0x0981, &[0x03]);
-    assert_eq!(bench.wire.subdevices()[0].sync0_cycle(), Some(Duration::from_millis(1)));
+    assert_eq!(bench.wire.subdevices()[0].clocks().sync0, Some(Duration::from_millis(1)));
     assert_eq!(u64::from_le_bytes(read(&mut bench, 0, 0x0990)), start);
     bench.wait(Duration::from_millis(25));
     let next = u64::from_le_bytes(read(&mut bench, 0, 0x0990));
     let now = u64::from_le_bytes(read(&mut bench, 0, 0x0910));
     assert_eq!((next - start) % 1_000_000, 0);
     assert!(next > now - 200_000 && next - now < 1_000_000, "{next} after {now}");
+}
+
+/// Sets both signals, and tells the start: a time after now.
+fn signals(bench: &mut Bench, delay: u64, cycles: [u32; 2]) -> u64 {
+    let now = u64::from_le_bytes(read(bench, 0, 0x0910));
+    let start = now + delay;
+    write(bench, 0, 0x0990, &start.to_le_bytes());
+    write(bench, 0, 0x09A0, &cycles[0].to_le_bytes());
+    write(bench, 0, 0x09A4, &cycles[1].to_le_bytes());
+    write(bench, 0, 0x0981, &[0x07]);
+    start
+}
+
+/// The next pulses of SYNC0 and SYNC1, the activation status, and the time when they were read.
+fn next(bench: &mut Bench) -> ([u64; 2], u8, u64) {
+    let registers = [(0x0990, 8), (0x0998, 8), (0x0984, 1), (0x0910, 8)];
+    let ask = registers.map(|(register, length)| Datagram::new(FPRD, STATION, register, &vec![0; length]));
+    let told = bench.all(&ask);
+    let long = |answer: &Datagram| u64::from_le_bytes(*answer.data.first_chunk().unwrap());
+    ([long(&told[0]), long(&told[1])], told[2].data[0], long(&told[3]))
+}
+
+/// SYNC1 follows a pulse of SYNC0 after its cycle time; while it is due, those of SYNC0 in between have none. So with
+/// SYNC0 every 500 µs, 0, 200, 500, 700 and 1500 µs make one of every 1, 1, 2, 2 and 4 pulses.
+#[test]
+fn sync1_follows_sync0() {
+    for (delay, every) in [(0, 1), (200_000, 1), (500_000, 2), (700_000, 2), (1_500_000, 4)] {
+        let mut bench = three();
+        let start = signals(&mut bench, 10_000_000, [500_000, delay]);
+        assert_eq!((next(&mut bench).0, next(&mut bench).1), ([start, start + u64::from(delay)], 0x03));
+        bench.wait(Duration::from_millis(20));
+        let period = every * 500_000;
+        for _ in 0..20 {
+            let ([sync0, sync1], status, now) = next(&mut bench);
+            assert_eq!((sync0 - start) % 500_000, 0);
+            assert_eq!((sync1 - start - u64::from(delay)) % period, 0, "{delay}");
+            assert!(sync0 > now && sync0 <= now + 500_000 && sync1 > now && sync1 <= now + period, "{delay}");
+            assert_eq!(status, 0);
+            bench.wait(Duration::from_micros(130));
+        }
+        let clocks = bench.wire.subdevices()[0].clocks();
+        assert_eq!(clocks.sync1, Some(Duration::from_nanos(period)));
+        write(&mut bench, 0, 0x0981, &[0]);
+        assert!(!bench.wire.subdevices()[0].clocks().are_active());
+    }
+}
+
+/// A cycle time of 0: one pulse of each, and no more.
+#[test]
+fn a_single_shot_comes_once() {
+    let mut bench = three();
+    let start = signals(&mut bench, 5_000_000, [0, 300_000]);
+    assert_eq!(next(&mut bench), ([start, start + 300_000], 0x03, next(&mut bench).2 - 100_000));
+    let clocks = bench.wire.subdevices()[0].clocks();
+    assert_eq!((clocks.sync0, clocks.sync1), (Some(Duration::ZERO), Some(Duration::ZERO)));
+    bench.wait(Duration::from_micros(4_400));
+    assert_eq!(next(&mut bench).1, 0x02, "SYNC1 is still to come");
+    bench.wait(Duration::from_millis(1));
+    let ([sync0, sync1], status, now) = next(&mut bench);
+    assert_eq!((sync0, sync1, status), (start, 0, 0));
+    assert!(now > start);
+}
+
+#[test]
+fn a_start_in_the_past_is_missed() {
+    let mut bench = three();
+    signals(&mut bench, 0, [1_000_000, 0]);
+    assert_eq!(next(&mut bench).1, 0x07, "both are pending, and the start is not plausible");
+    assert!(bench.wire.subdevices()[0].clocks().are_missed);
+    // switched off and on again with a start to come
+    write(&mut bench, 0, 0x0981, &[0]);
+    signals(&mut bench, 5_000_000, [1_000_000, 0]);
+    assert_eq!(next(&mut bench).1, 0x03);
+    assert!(!bench.wire.subdevices()[0].clocks().are_missed);
+}
+
+/// Bit 3 of 0x0981: the start time activates what is asked for.
+#[test]
+fn the_start_time_can_activate() {
+    let mut bench = three();
+    write(&mut bench, 0, 0x09A0, &1_000_000_u32.to_le_bytes());
+    write(&mut bench, 0, 0x0981, &[0x0A]);
+    assert_eq!(bench.wire.subdevices()[0].clocks().sync0, None);
+    let start = u64::from_le_bytes(read(&mut bench, 0, 0x0910)) + 3_000_000;
+    write(&mut bench, 0, 0x0990, &start.to_le_bytes());
+    assert_eq!(bench.wire.subdevices()[0].clocks().sync0, Some(Duration::from_millis(1)));
+    assert_eq!(read(&mut bench, 0, 0x0981), [0x0B]);
+}
+
+/// Latch 0 at 0x09B0 and 0x09B8, latch 1 at 0x09C0 and 0x09C8; status 0x09AE and 0x09AF, control 0x09A8 and 0x09A9.
+#[test]
+fn latches_keep_the_time_of_an_edge() {
+    for (latch, times) in [(0_u16, [0x09B0, 0x09B8]), (1, [0x09C0, 0x09C8])] {
+        let mut bench = three();
+        set(&mut bench, 1_000_000_000);
+        let edge = |bench: &mut Bench, is_high| {
+            let now = u64::from_le_bytes(read(bench, 0, 0x0910));
+            bench.wire.subdevices_mut()[0].latch(latch, is_high);
+            // reading the time took a frame of 100 µs
+            now + 100_000
+        };
+        let status = |bench: &mut Bench| read::<1>(bench, 0, 0x09AE + latch)[0];
+        let event = |bench: &mut Bench| read::<2>(bench, 0, 0x0210)[0] & 0x01;
+        assert_eq!((status(&mut bench), event(&mut bench)), (0, 0));
+        let rising = edge(&mut bench, true);
+        assert_eq!((status(&mut bench), event(&mut bench)), (0x05, 1), "a rising edge, and the level");
+        assert_eq!(u64::from_le_bytes(read(&mut bench, 0, times[0])), rising);
+        assert_eq!((status(&mut bench), event(&mut bench)), (0x04, 0), "its time was read");
+        let falling = edge(&mut bench, false);
+        assert_eq!(status(&mut bench), 0x02);
+        assert_eq!(u64::from_le_bytes(read(&mut bench, 0, times[1])), falling);
+        // continuous: the last edge counts
+        edge(&mut bench, true);
+        edge(&mut bench, false);
+        let last = edge(&mut bench, true);
+        assert_eq!(u64::from_le_bytes(read(&mut bench, 0, times[0])), last);
+        // single: the first, until it was read
+        write(&mut bench, 0, 0x09A8 + latch, &[0x01]);
+        edge(&mut bench, false);
+        let first = edge(&mut bench, true);
+        edge(&mut bench, false);
+        edge(&mut bench, true);
+        assert_eq!(u64::from_le_bytes(read(&mut bench, 0, times[0])), first);
+        edge(&mut bench, false);
+        let next = edge(&mut bench, true);
+        assert_eq!(u64::from_le_bytes(read(&mut bench, 0, times[0])), next);
+        assert_eq!(status(&mut bench) & 0x04, 0x04);
+    }
 }

@@ -99,3 +99,21 @@ fn any_image_will_do() {
         }
     }
 }
+
+/// Off and on again: registers are as after a reset, what was written into the EEPROM is still there.
+#[test]
+fn it_outlasts_a_power_cycle() {
+    let mut bench = Bench::of(c887());
+    let mut registers = Vec::from(0x0201_u16.to_le_bytes());
+    registers.extend([0x50, 0, 0, 0, 0xCD, 0xAB]);
+    assert!(bench.write(0x0502, &registers));
+    bench.wait(Duration::from_millis(5));
+    crate::states::to_pre_operational(&mut bench);
+    bench.wire.subdevices_mut()[0].restart(c887().firmware);
+    assert_eq!(bench.read::<2>(0x0130), None, "its station address is gone");
+    bench.send(APWR, 0, 0x0010, &STATION.to_le_bytes());
+    assert_eq!(bench.read(0x0130), Some([0x01, 0]));
+    assert_eq!(bench.read(0x0806), Some([0]), "no sync manager is on");
+    command(&mut bench, 0x0100, 0x50);
+    assert_eq!(bench.read(0x0508), Some([0xCD, 0xAB]));
+}

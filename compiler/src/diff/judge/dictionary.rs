@@ -13,8 +13,8 @@ const IDENTITY: Index = Index(0x1018);
 const COUNT: u8 = 0;
 
 /// What an object and its only value have in common.
-const OF_THE_OBJECT: [&str; 8] =
-    ["name", "id", "functional", "category", "about", "note", "parameter", "source"];
+const OF_THE_OBJECT: [&str; 10] =
+    ["name", "names", "id", "functional", "category", "about", "note", "parameter", "properties", "source"];
 
 pub(super) fn judge(versions: Versions<'_>, path: &[&str], difference: &Difference) -> Option<&'static Kind> {
     let (key, rest) = path.split_first()?;
@@ -76,7 +76,8 @@ fn of_entry(
         return None;
     }
     // What an object with one value says of itself it says of the value.
-    if new.kind == crate::model::Kind::Var && matches!(rest, [field] if OF_THE_OBJECT.contains(field)) {
+    if new.kind == crate::model::Kind::Var && rest.first().is_some_and(|field| OF_THE_OBJECT.contains(field))
+    {
         return None;
     }
     match (rest, presence(difference)) {

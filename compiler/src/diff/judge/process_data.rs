@@ -74,6 +74,7 @@ fn is_assigned(device: &Device, index: Index) -> bool {
 fn same_layout(versions: Versions<'_>, old: &Pdo, new: &Pdo, path: &[&str]) -> Option<Judged> {
     match path {
         [_, _, "name"] => Some((&kinds::RENAMED).into()),
+        [_, _, "names", ..] => Some((&kinds::CHANGED_TEXT).into()),
         [_, place, "data_type"] => {
             let place: usize = place.parse().ok()?;
             let (old, new) = (old.entries.get(place)?, new.entries.get(place)?);

@@ -67,9 +67,15 @@ fn protocols(versions: Versions<'_>) -> &'static Kind {
     }
 }
 
+/// More from the E-bus than before is what may be missing there.
+pub(super) fn current(versions: Versions<'_>) -> &'static Kind {
+    let taken = |device: &Device| device.ebus_current.unwrap_or(0);
+    if taken(versions.new) > taken(versions.old) { &kinds::RAISED_CURRENT } else { &kinds::LOWERED_CURRENT }
+}
+
 pub(super) fn eeprom(field: &str) -> &'static Kind {
     match field {
-        "config_data" => &kinds::CHANGED_HARDWARE,
+        "config_data" | "bootstrap" => &kinds::CHANGED_HARDWARE,
         _ => &kinds::CHANGED_TEXT,
     }
 }

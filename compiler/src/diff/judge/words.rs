@@ -39,6 +39,16 @@ fn is_free(difference: &Difference) -> bool {
     difference.first.as_deref() == Some("reserved")
 }
 
+/// Messages of the diagnosis history, told apart by their text ids.
+pub(super) fn message(path: &[&str], difference: &Difference) -> &'static Kind {
+    match (path, presence(difference)) {
+        ([_], Presence::Gone) => &kinds::CHANGED_ERROR,
+        ([_], _) => &kinds::ADDED_ERROR,
+        ([_, "text"], _) if means_else(difference) => &kinds::CHANGED_ERROR,
+        _ => &kinds::CHANGED_TEXT,
+    }
+}
+
 /// Error codes, codes of the vendor and AL status codes.
 pub(super) fn error(path: &[&str], difference: &Difference) -> Option<&'static Kind> {
     Some(match (path, presence(difference)) {

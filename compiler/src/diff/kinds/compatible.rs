@@ -36,7 +36,7 @@ kinds! { Compatible:
     /// What did nothing does something.
     GAINED_FUNCTION = "gained-function", "an object does something now";
 
-    /// There is another error code.
+    /// There is another error code, or another message of the diagnosis history.
     ADDED_ERROR = "added-error", "there is another error code";
 
     /// There is another mode of operation, or another code for one.
@@ -50,6 +50,9 @@ kinds! { Compatible:
 
     /// There is another way to find the reference position.
     ADDED_HOMING = "added-homing", "there is another homing method";
+
+    /// The device takes less current from the E-bus, or gives more.
+    LOWERED_CURRENT = "lowered-current", "the device takes less current from the E-bus";
 
     /// The area of a sync manager can get longer.
     ENLARGED_AREA = "enlarged-area", "a sync manager's area is larger";

@@ -38,7 +38,11 @@ kinds! { ConfigurationBreaking:
     /// What is there does nothing any more; reading and writing it still works.
     LOST_FUNCTION = "lost-function", "an object does nothing any more";
 
-    /// An error code is gone, or has another meaning or another bit of the error register. Programs that look for it do not
+    /// The device takes more current from the E-bus, or gives less. Configuration tools add up what the devices behind a
+    /// coupler take: what was enough may be so no longer.
+    RAISED_CURRENT = "raised-current", "the device takes more current from the E-bus";
+
+    /// An error code is gone, or has another meaning or another bit of the error register; or a message of the diagnosis history. Programs that look for it do not
     /// find it, or take it for something else.
     CHANGED_ERROR = "changed-error", "an error code is gone or means something else";
 

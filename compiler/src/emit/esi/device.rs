@@ -3,7 +3,7 @@
 use super::element::Element;
 use super::frame::Frame;
 use super::literal::{Hex, prose};
-use super::{dc, eeprom, mailbox, pdo, profile, slots, sync_managers, timeouts};
+use super::{dc, eeprom, info, mailbox, pdo, profile, slots, sync_managers};
 use crate::model::{Device, Direction};
 
 /// A device.
@@ -12,8 +12,9 @@ pub(super) fn device(device: &Device) -> Element {
         .with("Physics", &device.physics)
         .child(type_and_identity(device))
         .children(device.identity.replaces.iter().map(hidden))
-        .child(Element::worded("Name", name(device)))
-        .child(timeouts::info(device))
+        .children(Element::in_languages("Name", name(device), &device.names))
+        .children(device.url.iter().flat_map(|url| Element::in_languages("URL", url, &device.urls)))
+        .child(info::info(device))
         .child(Element::leaf("GroupType", &device.group))
         .child(profile::profile(device))
         .children(sync_managers::fmmus(device))

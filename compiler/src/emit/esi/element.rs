@@ -8,10 +8,11 @@ use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 use quick_xml::writer::Writer;
 
 use crate::emit::escape::comment;
+use crate::model::{Language, Translations};
 use crate::text::characters::harmless;
 
-/// The language of all texts: English.
-const LANGUAGE: &str = "1033";
+/// The language of the texts of descriptions: English.
+const ENGLISH: u16 = 1033;
 
 /// An element with either text or children in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,7 +36,22 @@ impl Element {
 
     /// An element with a text for people in it.
     pub(super) fn worded(name: &'static str, text: impl Display) -> Self {
-        Self::leaf(name, text).with("LcId", LANGUAGE)
+        Self::leaf(name, text).with("LcId", ENGLISH)
+    }
+
+    /// A text for people in another language.
+    pub(super) fn translated(name: &'static str, text: impl Display, language: Language) -> Self {
+        Self::leaf(name, text).with("LcId", language.lcid())
+    }
+
+    /// Elements with a text for people, one for each language.
+    pub(super) fn in_languages(
+        name: &'static str,
+        english: impl Display,
+        others: &Translations,
+    ) -> Vec<Self> {
+        let others = others.iter().map(|it| Self::translated(name, &it.text, it.language));
+        std::iter::once(Self::worded(name, english)).chain(others).collect()
     }
 
     /// Adds an attribute.

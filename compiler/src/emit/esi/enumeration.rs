@@ -62,7 +62,7 @@ impl Enumeration {
 
 fn meaning(meaning: &Meaning) -> Element {
     Element::new("EnumInfo")
-        .child(Element::worded("Text", &meaning.name))
+        .children(Element::in_languages("Text", &meaning.name, &meaning.names))
         .child(Element::leaf("Enum", meaning.value))
         .child(meaning.about.as_deref().map(|about| Element::worded("Comment", prose(about))))
 }

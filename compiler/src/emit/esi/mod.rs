@@ -7,6 +7,7 @@ mod comment;
 mod composite;
 mod dc;
 mod device;
+mod diagnosis;
 mod eeprom;
 mod element;
 mod enumeration;
@@ -14,6 +15,7 @@ mod flags;
 mod frame;
 mod groups;
 mod heading;
+mod info;
 mod literal;
 mod mailbox;
 mod names;
@@ -23,7 +25,6 @@ mod primitive;
 mod profile;
 mod slots;
 mod sync_managers;
-mod timeouts;
 mod types;
 mod vendor;
 
@@ -45,6 +46,7 @@ const LINTS: &[&Rule] = &[
     &rules::contradicted_config_data::RULE,
     &rules::contradicted_period::RULE,
     &rules::empty_name::RULE,
+    &rules::impossible_boot_mailbox::RULE,
     &rules::impossible_eeprom_size::RULE,
     &rules::incomplete_timeouts::RULE,
     &rules::indistinct_members::RULE,

@@ -5,19 +5,30 @@ use super::element::Element;
 use super::frame::Frame;
 use super::literal::Bytes;
 use super::types::Types;
-use super::{comment, flags};
-use crate::model::{Object, Value};
+use super::{comment, flags, names};
+use crate::model::{Object, Property, Value};
 
 /// An object.
 pub(super) fn object(frame: Frame<'_>, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
     Element::new("Object")
         .child(frame.object(object.index))
-        .child(Element::worded("Name", frame.name(&object.name, object.axis)))
+        .children(names::named(frame, &object.name, &object.names, object.axis))
         .child(comment::of_object(object, shape))
         .child(Element::leaf("Type", types.name_of(object, shape)))
         .child(Element::leaf("BitSize", shape.bits()))
         .child(info(shape))
         .child(flags::of_object(object))
+        .child(Element::new("Properties").children(properties(&object.properties)).unless_empty())
+}
+
+/// What the vendor's tools are told.
+pub(super) fn properties(properties: &[Property]) -> impl Iterator<Item = Element> {
+    properties.iter().map(|property| {
+        Element::new("Property")
+            .child(Element::leaf("Name", &property.name))
+            .child(property.value.as_ref().map(|value| Element::leaf("Value", value)))
+            .child(property.about.as_ref().map(|about| Element::worded("Desc", about)))
+    })
 }
 
 /// The values of an object: its own, or those of every member in order.

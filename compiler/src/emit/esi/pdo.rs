@@ -24,7 +24,7 @@ fn pdo(frame: Frame<'_>, pdo: &Pdo) -> Element {
         .with_some("Sm", device.manager_of(pdo).map(|manager| manager.number))
         .with_some("Su", sync_unit(device, pdo))
         .child(frame.pdo("Index", pdo.index))
-        .child(Element::worded("Name", frame.name(&pdo.name, pdo.axis)))
+        .children(names::named(frame, &pdo.name, &pdo.names, pdo.axis))
         .children(excludes(device, pdo).into_iter().map(|other| frame.pdo("Exclude", other)))
         .children(pdo.entries.iter().map(|mapped| entry(frame, pdo, mapped)))
 }
@@ -59,7 +59,7 @@ fn entry(frame: Frame<'_>, pdo: &Pdo, mapped: &Mapped) -> Element {
         .child(frame.object(address.index))
         .child(Element::leaf("SubIndex", address.subindex))
         .child(Element::leaf("BitLen", mapped.bits))
-        .child(Element::worded("Name", names::mapped(frame, pdo, mapped)))
+        .children(names::mapped(frame, pdo, mapped))
         .child(Element::leaf("DataType", data_type))
 }
 

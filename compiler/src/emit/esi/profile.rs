@@ -1,10 +1,10 @@
-//! `Profile`: the drive profile, a channel for each axis, and the object dictionary.
+//! `Profile`: the drive profile, a channel for each axis, the object dictionary and the diagnosis messages.
 
 use super::composite::Shape;
 use super::element::Element;
 use super::frame::Frame;
-use super::objects;
 use super::types::Types;
+use super::{diagnosis, objects};
 use crate::model::{Address, Device, Index};
 
 /// The profile with the dictionary.
@@ -13,6 +13,7 @@ pub(super) fn profile(device: &Device) -> Element {
         .children(number(device, information(device)))
         .children(channels(device))
         .child(dictionary(Frame::Device(device)))
+        .child(diagnosis::messages(device))
 }
 
 /// What a module is, with its part of the dictionary.

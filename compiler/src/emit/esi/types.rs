@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::composite::{Member, Shape};
 use super::element::Element;
 use super::enumeration::Enumeration;
+use super::objects::properties;
 use super::{comment, flags, primitive};
 use crate::model::{Index, Object};
 
@@ -125,12 +126,20 @@ impl Types {
         Element::new("SubItem")
             .child(Element::leaf("SubIdx", entry.address.subindex))
             .child(Element::leaf("Name", &member.name))
+            .children(display_names(member))
             .child(Element::leaf("Type", self.name_of_member(member)))
             .child(comment::of_entry(member))
             .child(Element::leaf("BitSize", member.data_type.bits()))
             .child(Element::leaf("BitOffs", member.offset))
             .child(flags::of_entry(entry))
+            .children(properties(&entry.properties))
     }
+}
+
+/// What a tool shows instead of the name, which is in English.
+fn display_names(member: &Member<'_>) -> Vec<Element> {
+    let names = &member.entry.names;
+    if names.is_empty() { Vec::new() } else { Element::in_languages("DisplayName", &member.name, names) }
 }
 
 fn array_info(elements: usize) -> Element {

@@ -1,13 +1,21 @@
 //! What the decoders of the page have to know, of each member.
 
+mod pdo;
+
+use std::collections::BTreeMap;
+
+use pdo::Pdo;
 use serde::Serialize;
 
-use crate::model::{Device, Family, Field, Meaning};
+use super::abort;
+use crate::model::{Device, Family, Field, Index, Meaning};
 
 /// The data of a page.
 #[derive(Debug, Serialize)]
 pub(super) struct Data {
     members: Vec<Member>,
+    /// The same for all devices.
+    abort_codes: Vec<Code>,
 }
 
 #[derive(Debug, Serialize)]
@@ -17,12 +25,15 @@ struct Member {
     axes: Vec<String>,
     words: Vec<Word>,
     states: Vec<State>,
+    asked: Vec<Asked>,
     modes: Vec<Mode>,
     errors: Vec<Code>,
     vendor_codes: Vec<Code>,
     al_status_codes: Vec<Code>,
     pdos: Vec<Pdo>,
     units: Vec<Unit>,
+    /// The indices on each axis, by that on the first.
+    repeats: BTreeMap<String, Vec<Option<String>>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -51,6 +62,18 @@ struct State {
     value: u16,
 }
 
+/// What controlwords ask for of which the bits in `mask` are `value`, if those of `rising` were 0 before and those of
+/// `falling` 1.
+#[derive(Debug, Serialize)]
+struct Asked {
+    name: String,
+    mask: u16,
+    value: u16,
+    rising: u16,
+    falling: u16,
+    transitions: Vec<u8>,
+}
+
 /// What the bits of the words are in a mode.
 #[derive(Debug, Serialize)]
 struct Mode {
@@ -71,25 +94,6 @@ struct Code {
 }
 
 #[derive(Debug, Serialize)]
-struct Pdo {
-    index: String,
-    name: String,
-    bits: u32,
-    fields: Vec<Mapped>,
-}
-
-#[derive(Debug, Serialize)]
-struct Mapped {
-    address: String,
-    name: String,
-    offset: u32,
-    bits: u32,
-    data_type: Option<String>,
-    unit: Option<String>,
-    axis: u8,
-}
-
-#[derive(Debug, Serialize)]
 struct Unit {
     id: String,
     quantity: String,
@@ -107,7 +111,17 @@ struct AxisUnit {
 impl Data {
     /// The data of a family.
     pub(super) fn of(family: &Family) -> Self {
-        Self { members: family.members.iter().map(member).collect() }
+        let abort = |(code, name): &(u32, &str)| Code {
+            first: *code,
+            last: *code,
+            name: (*name).to_owned(),
+            about: None,
+            remedy: None,
+        };
+        Self {
+            members: family.members.iter().map(member).collect(),
+            abort_codes: abort::CODES.iter().map(abort).collect(),
+        }
     }
 }
 
@@ -134,23 +148,44 @@ fn member(device: &Device) -> Member {
         axes: device.axes.iter().map(|axis| axis.name.clone()).collect(),
         words: words.collect(),
         states: states.collect(),
+        asked: asked(device),
         modes: modes.collect(),
         errors: errors(device),
         vendor_codes: vendor_codes(device),
         al_status_codes: al_status_codes(device),
-        pdos: pdos(device),
+        pdos: device.pdos.iter().map(|pdo| Pdo::of(device, pdo)).collect(),
         units: units(device),
+        repeats: repeats(device),
     }
 }
 
+fn asked(device: &Device) -> Vec<Asked> {
+    let asked = device.given().map(|given| Asked {
+        name: given.name(),
+        mask: given.pattern().mask(),
+        value: given.pattern().value(),
+        rising: given.pattern().rising(),
+        falling: given.pattern().falling(),
+        transitions: device.set_off(given),
+    });
+    asked.collect()
+}
+
+fn repeats(device: &Device) -> BTreeMap<String, Vec<Option<String>>> {
+    let hex = |index: Index| format!("{:04X}", index.0);
+    let repeats = device.repetitions.iter().map(|repetition| {
+        (hex(repetition.leading), repetition.axes.iter().map(|index| index.map(hex)).collect())
+    });
+    repeats.collect()
+}
+
 fn bits(fields: &[Field]) -> Vec<Bits> {
-    let value = |meaning: &Meaning| (meaning.value, meaning.name.clone());
     let bits = fields.iter().map(|field| Bits {
         low: field.low,
         high: field.high,
         name: field.name.clone(),
         reserved: field.reserved,
-        values: field.values.iter().map(value).collect(),
+        values: values(&field.values),
     });
     bits.collect()
 }
@@ -188,28 +223,8 @@ fn al_status_codes(device: &Device) -> Vec<Code> {
     codes.collect()
 }
 
-fn pdos(device: &Device) -> Vec<Pdo> {
-    let pdos = device.pdos.iter().map(|pdo| {
-        let fields = pdo.entries.iter().map(|mapped| {
-            let entry = mapped.address.and_then(|address| device.entry(address));
-            Mapped {
-                address: mapped.address.map_or(String::new(), |address| address.to_string()),
-                name: mapped.name.clone(),
-                offset: mapped.offset,
-                bits: mapped.bits,
-                data_type: mapped.data_type.map(|data_type| data_type.to_string()),
-                unit: entry.and_then(|entry| entry.unit.clone()),
-                axis: pdo.axis.unwrap_or(0),
-            }
-        });
-        Pdo {
-            index: pdo.index.to_string(),
-            name: pdo.name.clone(),
-            bits: pdo.bits(),
-            fields: fields.collect(),
-        }
-    });
-    pdos.collect()
+fn values(meanings: &[Meaning]) -> Vec<(i64, String)> {
+    meanings.iter().map(|meaning| (meaning.value, meaning.name.clone())).collect()
 }
 
 fn units(device: &Device) -> Vec<Unit> {

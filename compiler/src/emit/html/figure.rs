@@ -1,103 +1,45 @@
-//! The state machine as a picture: states below one another, and an arrow for each pair between which there are transitions, down
-//! on the right and up on the left.
+//! Pictures: SVG and HTML that need no script.
 
+mod bits;
+mod lights;
+mod machine;
+mod memory;
+
+pub(super) use machine::svg as machine;
 use minijinja::HtmlEscape;
 
-use crate::emit::markdown::{Arrow, Machine};
+use crate::emit::markdown::Picture;
 
-const WIDTH: usize = 760;
-const BOX: (usize, usize) = (210, 46);
-const STEP: usize = 76;
-/// How far apart arrows run that lie beside one another, and how far apart they meet a box.
-const LANE: usize = 24;
-const SLOT: usize = 10;
+/// A picture.
+pub(super) fn picture(picture: &Picture) -> String {
+    match picture {
+        Picture::Word(count, parts) => bits::word(*count, parts),
+        Picture::Bytes(count, parts) => bits::bytes(*count, parts),
+        Picture::Memory(areas) => memory::svg(areas),
+        Picture::Lights(lights) => lights::list(lights),
+    }
+}
 
-/// The picture, as SVG. Arrows have the numbers of their transitions; what sets these off is told where one points at them.
-pub(super) fn svg(machine: &Machine, title: &str) -> String {
-    let row = |id: &str| machine.states.iter().position(|(other, _)| other == id);
-    let mut sides = [Side::new(machine.states.len()), Side::new(machine.states.len())];
-    let mut parts = Vec::new();
-    for Arrow { from, to, labels } in &machine.arrows {
-        if let (Some(start), Some(end)) = (row(from), row(to)) {
-            let [up, down] = &mut sides;
-            let side = if start < end { down } else { up };
-            parts.push(arrow(side, start, end, labels));
+/// How wide a character of the small print of pictures is at most, in tenths.
+const CHARACTER: usize = 64;
+
+/// A text as it fits a width, cut if it has to be.
+fn fitting(text: &str, width: usize) -> String {
+    let most = width * 10 / CHARACTER;
+    match text.chars().count() {
+        count if count <= most => HtmlEscape(text).to_string(),
+        _ if most < 3 => String::new(),
+        _ => {
+            let cut: String = text.chars().take(most - 1).collect();
+            format!("{}…", HtmlEscape(cut.trim_end()))
         }
     }
-    parts.extend(machine.states.iter().enumerate().map(|(row, (_, name))| state(row, name)));
-    let height = machine.states.len() * STEP + 10;
+}
+
+/// The beginning of a picture that is so large, and what it is called by those who do not see it.
+fn begin(width: usize, height: usize, class: &str, title: &str) -> String {
     format!(
-        "<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" class=\"machine\"><title>{}</title>\n\
-         <defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" orient=\"auto\">\
-         <path d=\"M0 0 8 4 0 8z\"/></marker></defs>\n{}\n</svg>\n",
-        HtmlEscape(title),
-        parts.join("\n")
-    )
-}
-
-/// The arrows on a side of the boxes.
-struct Side {
-    /// What each lane is taken by, from row to row.
-    lanes: Vec<Vec<(usize, usize)>>,
-    /// How many arrows meet each box.
-    met: Vec<usize>,
-}
-
-impl Side {
-    fn new(rows: usize) -> Self {
-        Self { lanes: Vec::new(), met: vec![0; rows] }
-    }
-
-    /// The first lane that is free between two rows; it is taken.
-    fn lane(&mut self, top: usize, bottom: usize) -> usize {
-        let is_free =
-            |taken: &Vec<(usize, usize)>| taken.iter().all(|(first, last)| *last < top || bottom < *first);
-        let lane = self.lanes.iter().position(is_free).unwrap_or(self.lanes.len());
-        match self.lanes.get_mut(lane) {
-            Some(taken) => taken.push((top, bottom)),
-            None => self.lanes.push(vec![(top, bottom)]),
-        }
-        lane
-    }
-
-    /// Where the next arrow meets a box.
-    fn meet(&mut self, row: usize) -> usize {
-        let met = self.met.get_mut(row).map_or(0, |met| std::mem::replace(met, *met + 1));
-        row * STEP + 10 + SLOT / 2 + (met * SLOT) % (BOX.1 - SLOT)
-    }
-}
-
-fn left() -> usize {
-    (WIDTH - BOX.0) / 2
-}
-
-fn state(row: usize, name: &str) -> String {
-    let (x, y) = (left(), row * STEP + 10);
-    format!(
-        "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" rx=\"6\"/><text x=\"{}\" y=\"{}\">{}</text>",
-        BOX.0,
-        BOX.1,
-        x + BOX.0 / 2,
-        y + BOX.1 / 2 + 5,
-        HtmlEscape(name)
-    )
-}
-
-fn arrow(side: &mut Side, start: usize, end: usize, labels: &[String]) -> String {
-    let offset = 56 + side.lane(start.min(end), start.max(end)) * LANE;
-    let (y1, y2) = (side.meet(start), side.meet(end));
-    let (edge, bend, text) = if start < end {
-        (left() + BOX.0, left() + BOX.0 + offset, left() + BOX.0 + 28)
-    } else {
-        (left(), left() - offset, left() - 28)
-    };
-    let numbers = labels.iter().map(|label| label.split(' ').next().unwrap_or(label));
-    let numbers = numbers.collect::<Vec<_>>().join(", ");
-    format!(
-        "<g class=\"arrow\"><title>{}</title><path d=\"M{edge} {y1}H{bend}V{y2}H{edge}\" marker-end=\"url(#tip)\"/>\
-         <text x=\"{text}\" y=\"{}\">{}</text></g>",
-        HtmlEscape(&labels.join(", ")),
-        y1 + 4,
-        HtmlEscape(&numbers)
+        "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" role=\"img\" class=\"{class}\"><title>{}</title>\n",
+        HtmlEscape(title)
     )
 }

@@ -3,10 +3,12 @@
 //! What is to be read is the reference as the Markdown has it, and stays readable without script. The script is given facts as
 //! data, and puts them on the page as text only. Nothing is loaded, and the policy of the page forbids it.
 
+mod abort;
+mod blocks;
 mod data;
 mod document;
 mod figure;
-mod ways;
+mod sequences;
 
 use super::{Emitter, Files, Options};
 use crate::diagnostic::Rule;

@@ -46,13 +46,14 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
         // the chapters about them go through those that stand for all axes
         pdos: _, objects: _,
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
+        names, ebus_current, url, urls,
         axes, arrangement, modules, connectors, leds,
-        communication_states, communication_transitions, al_status_codes, sync_managers, mailbox, timeouts,
-        sync_modes, cycle_times, dead_time,
+        communication_states, communication_transitions, al_status_codes, abort_codes,
+        sync_managers, mailbox, timeouts, sync_modes, cycle_times, dead_time,
         configurations, words,
         states, commands, transitions, device_control,
         modes, mode_changes, homing_methods, stop_options,
-        errors, vendor_codes, units, coordinates,
+        errors, vendor_codes, diagnosis, units, coordinates,
         areas, registers, telegrams,
         master_settings, parameters, procedures,
         documents, errata, remarks, assumptions,
@@ -61,10 +62,11 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
     #[rustfmt::skip] // as above
     let head = Head {
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
+        names, ebus_current: *ebus_current, url: url.as_deref(), urls,
     };
     #[rustfmt::skip] // as above
     let link = Link {
-        communication_states, communication_transitions, al_status_codes, sync_managers, mailbox, timeouts,
+        communication_states, communication_transitions, al_status_codes, abort_codes, sync_managers, mailbox, timeouts,
     };
     let (dead_time, control) = (dead_time.as_ref(), device_control.as_ref());
     let numbering = coordinates.as_ref().map(|it| coordinates::page(context, it)).unwrap_or_default();
@@ -82,7 +84,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
         ("modes", "Modes of operation", modes::page(context, modes, mode_changes, control)),
         ("homing", "Homing methods", homing::page(context, homing_methods)),
         ("stopping", "Stopping", stopping::page(context, stop_options)),
-        ("errors", "Errors", errors::page(context, errors, vendor_codes)),
+        ("errors", "Errors", errors::page(context, errors, vendor_codes, diagnosis)),
         ("units", "Units and scaling", units::page(context, units)),
         ("coordinates", "Numbering of parameters", numbering),
         ("objects", "Object dictionary", objects::page(context, areas)),

@@ -1,12 +1,14 @@
 //! What all chapters share: the device, and how its parts are named and linked.
 
 mod axes;
+mod pictures;
 mod prose;
 mod said;
 mod value;
 
 pub(super) use said::{assumption_id, erratum_id};
 
+use super::holds::Form;
 use super::inline::{code, fragment, link, small, text};
 use crate::model::{Address, Device, Entry, ErrorCode, Index, Mode, Object, Pdo, Source};
 
@@ -19,12 +21,14 @@ pub(super) struct Context<'a> {
     members: &'a [Context<'a>],
     /// Whether to show how sure facts are: what no source states, and what contradicts itself.
     pub(super) editorial: bool,
+    /// What the document is.
+    pub(super) form: Form,
 }
 
 impl<'a> Context<'a> {
     /// A device in a document with others of its family: what it names but lacks may be described for them.
-    pub(super) fn new(device: &'a Device, members: &'a [Context<'a>], editorial: bool) -> Self {
-        Self { device, members, editorial }
+    pub(super) fn new(device: &'a Device, members: &'a [Context<'a>], editorial: bool, form: Form) -> Self {
+        Self { device, members, editorial, form }
     }
 
     /// The anchor of an object; that of the first axis stands for all.

@@ -3,6 +3,7 @@
 use super::chapters::{Chapter, chapters};
 use super::context::Context;
 use super::family;
+use super::holds::Form;
 use super::inline::text;
 use super::page::{Block, Item, Page};
 use crate::emit::escape::comment;
@@ -15,7 +16,7 @@ pub(super) fn document(family: &Family, editorial: bool) -> String {
     let mut page = Page::default();
     page.lines(format!("<!-- Made by devc from the description of {id}; not to be edited. -->"));
     page.append(front(family));
-    page.append(body(family, editorial, true));
+    page.append(body(family, editorial, Form::Text));
     page.to_string()
 }
 
@@ -32,23 +33,21 @@ pub(in crate::emit) fn front(family: &Family) -> Page {
     page
 }
 
-/// The chapters, with or without a list of what is in them.
-pub(in crate::emit) fn body(family: &Family, editorial: bool, with_contents: bool) -> Page {
+/// The chapters; a text begins with a list of what is in them.
+pub(in crate::emit) fn body(family: &Family, editorial: bool, form: Form) -> Page {
     let members: Vec<Context<'_>> =
-        family.members.iter().map(|device| Context::new(device, &[], editorial)).collect();
-    let bodies = family
-        .members
-        .iter()
-        .map(|device| body_of(&Context::new(device, &members, editorial), with_contents));
+        family.members.iter().map(|device| Context::new(device, &[], editorial, form)).collect();
+    let bodies = family.members.iter();
+    let bodies = bodies.map(|device| body_of(&Context::new(device, &members, editorial, form)));
     let bodies: Vec<Page> = bodies.collect();
     with_sources(match <[Page; 1]>::try_from(bodies) {
         Ok([alone]) => alone,
-        Err(bodies) => family::body(family, bodies),
+        Err(bodies) => family::body(family, bodies, form),
     })
 }
 
 /// The chapters of one device.
-fn body_of(context: &Context<'_>, with_contents: bool) -> Page {
+fn body_of(context: &Context<'_>) -> Page {
     let mut page = Page::default();
     if let Some(main) = context.device.documents.first().map(|document| text(&document.title)) {
         page.text(format!(
@@ -56,7 +55,7 @@ fn body_of(context: &Context<'_>, with_contents: bool) -> Page {
         ));
     }
     let chapters = chapters(context);
-    if with_contents {
+    if context.form == Form::Text {
         page.heading(2, "Contents");
         page.items(chapters.iter().flat_map(lines_of_contents).collect());
     }

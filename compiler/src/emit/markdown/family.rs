@@ -8,6 +8,7 @@ mod rows;
 mod sections;
 mod sentences;
 
+use super::holds::Form;
 use super::inline::text;
 use super::page::Page;
 use crate::model::{Device, Family};
@@ -22,8 +23,8 @@ pub(super) fn front(family: &Family, page: &mut Page) {
 }
 
 /// The chapters of the members as one.
-pub(super) fn body(family: &Family, bodies: Vec<Page>) -> Page {
-    merge::merge(&names(family), bodies)
+pub(super) fn body(family: &Family, bodies: Vec<Page>, form: Form) -> Page {
+    merge::merge(&names(family), form, bodies)
 }
 
 /// What members are called in passing: their name if that is one word, else their id.

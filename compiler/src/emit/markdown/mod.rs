@@ -7,20 +7,28 @@ mod chapters;
 mod context;
 mod document;
 mod family;
+mod holds;
 mod inline;
 mod machine;
 mod number;
 mod page;
+mod picture;
 mod table;
 
 #[cfg(feature = "html")]
 pub(super) use document::{body, front};
+#[cfg(feature = "html")]
+pub(super) use holds::{Form, Holds};
 #[cfg(feature = "diff")]
 pub(crate) use inline::text as escaped;
 #[cfg(feature = "html")]
-pub(super) use machine::{Arrow, Machine};
+pub(super) use machine::{Arrow, Label, Machine, Node};
 #[cfg(feature = "html")]
 pub(super) use page::{Block, Heading, Page};
+#[cfg(feature = "html")]
+pub(super) use picture::{Area, Light, Part, Picture};
+#[cfg(feature = "html")]
+pub(super) use table::{Row, Table};
 
 use super::{Emitter, Files, Options};
 use crate::diagnostic::Rule;

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
+use super::holds::Holds;
 use super::machine::Machine;
+use super::picture::Picture;
 use super::table::Table;
 
 /// A heading.
@@ -14,6 +16,8 @@ pub(in crate::emit) struct Heading {
     pub(in crate::emit) anchor: Option<String>,
     /// The words.
     pub(in crate::emit) title: String,
+    /// What it holds for, with all that stands under it.
+    pub(in crate::emit) holds: Holds,
 }
 
 /// An item of a list.
@@ -38,8 +42,21 @@ pub(in crate::emit) enum Block {
     Table(Table),
     /// Lines that belong together as they are: numbered steps, a warning.
     Lines(String),
-    /// A picture.
+    /// The picture of a state machine.
     Machine(Machine),
+    /// A picture that only the page has.
+    Picture(Picture),
+    /// What follows, up to the end, holds for some members only.
+    Open(Holds),
+    /// The end of what holds for some members only.
+    Close,
+}
+
+impl Block {
+    /// Whether it is something to be read, and no mark or picture.
+    pub(super) fn is_read(&self) -> bool {
+        !matches!(self, Self::Open(_) | Self::Close | Self::Picture(_))
+    }
 }
 
 /// Blocks in order, as they are put down. What is empty leaves no block.
@@ -49,12 +66,18 @@ pub(in crate::emit) struct Page(pub(in crate::emit) Vec<Block>);
 impl Page {
     /// A heading.
     pub(super) fn heading(&mut self, level: usize, title: impl Into<String>) {
-        self.0.push(Block::Heading(Heading { level, anchor: None, title: title.into() }));
+        self.0.push(Block::Heading(Heading {
+            level,
+            anchor: None,
+            title: title.into(),
+            holds: Holds::default(),
+        }));
     }
 
     /// A heading that links can lead to.
     pub(super) fn place(&mut self, level: usize, anchor: impl Into<String>, title: impl Into<String>) {
-        self.0.push(Block::Heading(Heading { level, anchor: Some(anchor.into()), title: title.into() }));
+        let (anchor, title) = (Some(anchor.into()), title.into());
+        self.0.push(Block::Heading(Heading { level, anchor, title, holds: Holds::default() }));
     }
 
     /// Paragraphs, as blank lines divide them.
@@ -85,7 +108,12 @@ impl Page {
         self.0.extend((!lines.is_empty()).then_some(Block::Lines(lines)));
     }
 
-    /// A picture.
+    /// A picture that only the page has.
+    pub(super) fn picture(&mut self, picture: Picture) {
+        self.0.push(Block::Picture(picture));
+    }
+
+    /// The picture of a state machine.
     pub(super) fn machine(&mut self, machine: Machine) {
         self.0.push(Block::Machine(machine));
     }
@@ -116,7 +144,7 @@ impl Page {
     /// The parts that the contents list below a chapter: what links can lead to.
     pub(super) fn parts(&self) -> impl Iterator<Item = (&str, &str)> {
         self.0.iter().filter_map(|block| match block {
-            Block::Heading(Heading { level: 3, anchor: Some(anchor), title }) => {
+            Block::Heading(Heading { level: 3, anchor: Some(anchor), title, .. }) => {
                 Some((anchor.as_str(), title.as_str()))
             }
             _ => None,
@@ -149,13 +177,14 @@ impl fmt::Display for Block {
             Self::List(items) => items.iter().try_for_each(|item| writeln!(f, "{item}")),
             Self::Table(table) => table.fmt(f),
             Self::Machine(machine) => writeln!(f, "{machine}"),
+            Self::Picture(_) | Self::Open(_) | Self::Close => Ok(()),
         }
     }
 }
 
 impl fmt::Display for Page {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (number, block) in self.0.iter().enumerate() {
+        for (number, block) in self.0.iter().filter(|block| block.is_read()).enumerate() {
             if number > 0 {
                 f.write_str("\n")?;
             }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use super::holds::Holds;
 use super::inline::small;
 
 /// The title of the column that says where a row is from. What most rows have in it is said once, below.
@@ -12,13 +13,37 @@ const SOURCE: &str = "Source";
 /// in which no row has anything.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(in crate::emit) struct Table {
-    titles: Vec<String>,
-    rows: Vec<Vec<String>>,
+    titles: Vec<Title>,
+    rows: Vec<Row>,
+}
+
+/// The title of a column.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(in crate::emit) struct Title {
+    /// The words.
+    pub(in crate::emit) text: String,
+    /// What the column holds for.
+    pub(in crate::emit) holds: Holds,
+}
+
+/// A row.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(in crate::emit) struct Row {
+    /// What is in its columns.
+    pub(in crate::emit) cells: Vec<String>,
+    /// What it holds for.
+    pub(in crate::emit) holds: Holds,
+}
+
+impl<T: Into<String>> From<T> for Title {
+    fn from(text: T) -> Self {
+        Self { text: text.into(), holds: Holds::default() }
+    }
 }
 
 impl Table {
     /// A table with these columns.
-    pub(super) fn new<T: Into<String>>(titles: impl IntoIterator<Item = T>) -> Self {
+    pub(super) fn new<T: Into<Title>>(titles: impl IntoIterator<Item = T>) -> Self {
         Self { titles: titles.into_iter().map(Into::into).collect(), rows: Vec::new() }
     }
 
@@ -35,7 +60,12 @@ impl Table {
 
     /// Adds a row.
     pub(super) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
-        self.rows.push(cells.into_iter().collect());
+        self.row_for(Holds::default(), cells);
+    }
+
+    /// Adds a row that does not hold for all, or can be chosen.
+    pub(super) fn row_for(&mut self, holds: Holds, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(Row { cells: cells.into_iter().collect(), holds });
     }
 
     /// Whether it has no rows.
@@ -45,26 +75,30 @@ impl Table {
 
     /// The titles of the columns.
     pub(super) fn titles(&self) -> impl Iterator<Item = &str> {
-        self.titles.iter().map(String::as_str)
+        self.columns().iter().map(|title| title.text.as_str())
     }
 
-    /// The rows, each with its cells.
-    pub(super) fn rows(&self) -> impl Iterator<Item = &[String]> {
-        self.rows.iter().map(Vec::as_slice)
+    /// The columns.
+    pub(in crate::emit) fn columns(&self) -> &[Title] {
+        &self.titles
+    }
+
+    /// The rows.
+    pub(in crate::emit) fn rows(&self) -> &[Row] {
+        &self.rows
     }
 
     /// All cells, to be changed.
     pub(super) fn cells_mut(&mut self) -> impl Iterator<Item = &mut String> {
-        self.rows.iter_mut().flatten()
+        self.rows.iter_mut().flat_map(|row| &mut row.cells)
     }
 
     /// The table with the columns in which some row has something.
     pub(super) fn without_empty_columns(self) -> Self {
         let used = self.used();
-        let keep = |cells: Vec<String>| {
-            cells.into_iter().zip(&used).filter(|(_, used)| **used).map(|(cell, _)| cell).collect()
-        };
-        Self { titles: keep(self.titles), rows: self.rows.into_iter().map(keep).collect() }
+        let rows = self.rows.into_iter();
+        let rows = rows.map(|row| Row { cells: keep(row.cells, &used), holds: row.holds }).collect();
+        Self { titles: keep(self.titles, &used), rows }
     }
 
     /// Which columns have something in some row.
@@ -75,7 +109,7 @@ impl Table {
     /// Takes what most of its rows are from out of them, and says it in a line that is to follow the table.
     pub(super) fn take_source_line(&mut self) -> Option<String> {
         let source = self.take_common_source()?;
-        let column = self.titles.iter().position(|title| title == SOURCE)?;
+        let column = self.titles.iter().position(|title| title.text == SOURCE)?;
         let is_all = self.rows.iter().all(|row| blank(row, column));
         let otherwise = if is_all { "" } else { ", unless a row says otherwise" };
         let place = source.strip_prefix("<sub>").and_then(|place| place.strip_suffix("</sub>"));
@@ -84,15 +118,15 @@ impl Table {
 
     /// Takes what at least half of the rows name as their source out of them, if every row names one.
     fn take_common_source(&mut self) -> Option<String> {
-        let column = self.titles.iter().position(|title| title == SOURCE)?;
+        let column = self.titles.iter().position(|title| title.text == SOURCE)?;
         let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
         for row in &self.rows {
-            *counts.entry(row.get(column).map_or("", String::as_str)).or_default() += 1;
+            *counts.entry(row.cells.get(column).map_or("", String::as_str)).or_default() += 1;
         }
         let (source, count) = counts.iter().max_by_key(|(_, count)| **count)?;
         let source =
             (!counts.contains_key("") && count * 2 >= self.rows.len()).then(|| (*source).to_owned())?;
-        let cells = self.rows.iter_mut().filter_map(|row| row.get_mut(column));
+        let cells = self.rows.iter_mut().filter_map(|row| row.cells.get_mut(column));
         cells.filter(|cell| **cell == source).for_each(String::clear);
         Some(source)
     }
@@ -104,19 +138,24 @@ impl fmt::Display for Table {
             return Ok(());
         }
         let used = self.used();
-        line(f, &used, &self.titles)?;
-        line(f, &used, &vec!["---".to_owned(); used.len()])?;
-        self.rows.iter().try_for_each(|row| line(f, &used, row))
+        line(f, &used, self.titles())?;
+        line(f, &used, used.iter().map(|_| "---"))?;
+        self.rows.iter().try_for_each(|row| line(f, &used, row.cells.iter().map(String::as_str)))
     }
 }
 
-fn blank(row: &[String], column: usize) -> bool {
-    row.get(column).is_none_or(String::is_empty)
+/// What is in the columns that are used.
+fn keep<T>(cells: Vec<T>, used: &[bool]) -> Vec<T> {
+    cells.into_iter().zip(used).filter(|(_, used)| **used).map(|(cell, _)| cell).collect()
 }
 
-fn line(f: &mut fmt::Formatter<'_>, used: &[bool], cells: &[String]) -> fmt::Result {
+fn blank(row: &Row, column: usize) -> bool {
+    row.cells.get(column).is_none_or(String::is_empty)
+}
+
+fn line<'c>(f: &mut fmt::Formatter<'_>, used: &[bool], cells: impl Iterator<Item = &'c str>) -> fmt::Result {
     f.write_str("|")?;
-    for (cell, _) in cells.iter().zip(used).filter(|(_, used)| **used) {
+    for (cell, _) in cells.zip(used).filter(|(_, used)| **used) {
         write!(f, " {cell} |")?;
     }
     f.write_str("\n")

@@ -4,11 +4,12 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::doc::{Doc, escape, sentence};
+use super::item::Item;
 use super::literal::{hex16, line, number, parsed};
 use super::names::{Names, shout};
 use super::scope::Scope;
-use super::types::Primitive;
-use crate::model::{AlStatusCode, VendorCode};
+use super::types::{Code, Primitive};
+use crate::model::{AlStatusCode, Device, VendorCode};
 
 /// A struct around a number.
 struct Newtype<'a> {
@@ -33,27 +34,48 @@ struct Named<'a> {
 }
 
 /// The values of entries, the vendor's own codes, and the AL status codes.
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
+    let Device { vendor, vendor_codes, al_status_codes, .. } = scope.device;
     let of_entries = scope.types.codes.iter().map(|code| {
-        let values = code.entry.values.iter().map(|meaning| Named {
-            literal: number(meaning.value),
-            id: &meaning.id,
-            name: &meaning.name,
-            text: meaning.about.clone(),
-            doc: Doc::new(sentence(&meaning.name)).maybe(meaning.about.as_deref()),
-        });
-        Newtype {
-            doc: Doc::new(super::entry::title(code.entry)).maybe(code.entry.about.as_deref()),
-            name: code.name.clone(),
-            primitive: code.primitive,
-            shown: "{}",
-            values: values.collect(),
-            methods: TokenStream::new(),
-        }
+        let item = Item::new(code.name.clone(), || of_entry(code).tokens(scope.runtime));
+        let title = super::entry::title(code.entry);
+        item.of(&code.entry.values).of(&code.entry.about).told(format!("{title}{:?}", code.primitive))
     });
-    let vendor = (!scope.device.vendor_codes.is_empty()).then(|| vendor_codes(scope));
-    let al_status = (!scope.device.al_status_codes.is_empty()).then(|| al_status_codes(scope));
-    of_entries.chain(vendor).chain(al_status).map(|newtype| newtype.tokens(scope.runtime)).collect()
+    let of_vendor = (!vendor_codes.is_empty()).then(|| {
+        let item = Item::new(vendor_name(), || self::vendor_codes(scope).tokens(scope.runtime));
+        item.of(vendor_codes).of(vendor)
+    });
+    let of_state = (!al_status_codes.is_empty()).then(|| {
+        let item = Item::new(al_status_name(), || self::al_status_codes(scope).tokens(scope.runtime));
+        item.of(al_status_codes)
+    });
+    of_entries.chain(of_vendor).chain(of_state).collect()
+}
+
+fn vendor_name() -> Ident {
+    format_ident!("VendorCode")
+}
+
+fn al_status_name() -> Ident {
+    format_ident!("AlStatusCode")
+}
+
+fn of_entry<'a>(code: &Code<'a>) -> Newtype<'a> {
+    let values = code.entry.values.iter().map(|meaning| Named {
+        literal: number(meaning.value),
+        id: &meaning.id,
+        name: &meaning.name,
+        text: meaning.about.clone(),
+        doc: Doc::new(sentence(&meaning.name)).maybe(meaning.about.as_deref()),
+    });
+    Newtype {
+        doc: Doc::new(super::entry::title(code.entry)).maybe(code.entry.about.as_deref()),
+        name: code.name.clone(),
+        primitive: code.primitive,
+        shown: "{}",
+        values: values.collect(),
+        methods: TokenStream::new(),
+    }
 }
 
 fn vendor_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
@@ -71,7 +93,7 @@ fn vendor_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
     });
     Newtype {
         doc: Doc::new(format!("An error code of {}'s own system.", escape(&scope.device.vendor))),
-        name: format_ident!("VendorCode"),
+        name: vendor_name(),
         primitive: Primitive::Unsigned(32),
         shown: "{}",
         values: values.collect(),
@@ -122,7 +144,7 @@ fn al_status_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
         doc: Doc::new(
             "Why the device refused or left an EtherCAT state: the AL status code, register 0x0134.",
         ),
-        name: format_ident!("AlStatusCode"),
+        name: al_status_name(),
         primitive: Primitive::Unsigned(16),
         shown: "0x{:04X}",
         values: values.collect(),
@@ -131,7 +153,7 @@ fn al_status_codes<'a>(scope: &Scope<'a>) -> Newtype<'a> {
 }
 
 impl Newtype<'_> {
-    fn tokens(&self, runtime: &TokenStream) -> TokenStream {
+    fn tokens(&self, runtime: &TokenStream) -> (Doc, TokenStream) {
         let Self { doc, name, primitive, shown, values, methods } = self;
         let (number, some) = (primitive.tokens(), parsed("Option<&'static str>"));
         let mut names = Names::default();
@@ -142,8 +164,7 @@ impl Newtype<'_> {
         });
         let arms = values.iter().map(|Named { literal, name, .. }| quote!(#literal => Some(#name),));
         let (texts, counted) = (self.texts(), primitive.counted(quote!(self.0)));
-        quote! {
-            #doc
+        let code = quote! {
             #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
             pub struct #name(pub #number);
 
@@ -164,7 +185,8 @@ impl Newtype<'_> {
 
             #runtime::named!(#name, #shown);
             #runtime::value!(#name as #number);
-        }
+        };
+        (doc.clone(), code)
     }
 
     /// What the description says of the values, if it says something of any.

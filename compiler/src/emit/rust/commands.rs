@@ -1,25 +1,30 @@
 //! The commands of the controlword.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::doc::{Doc, sentence};
+use super::item::Item;
 use super::literal::{hex16, number};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::states;
 use crate::model::{Device, Given, Pattern};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let given: Vec<Given<'_>> = scope.device.given().collect();
-    if given.is_empty() {
-        return TokenStream::new();
-    }
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Option<Item<'s>> {
+    let device = scope.device;
+    device.given().next()?;
+    let item =
+        Item::new(format_ident!("commands"), || (Doc::new("The commands of the controlword."), code(device)));
+    Some(item.of(&device.commands).of(&device.transitions))
+}
+
+fn code(device: &Device) -> TokenStream {
+    let given: Vec<Given<'_>> = device.given().collect();
     let mut names = Names::with(&["ALL"]);
     let names: Vec<Ident> = given.iter().map(|command| names.claim(&shout(&id(*command)))).collect();
-    let commands = given.iter().zip(&names).map(|(command, name)| constant(scope.device, *command, name));
+    let commands = given.iter().zip(&names).map(|(command, name)| constant(device, *command, name));
     quote! {
-        /// The commands of the controlword.
         pub mod commands {
             use super::*;
             #(#commands)*
@@ -69,35 +74,27 @@ fn constant(device: &Device, given: Given<'_>, name: &Ident) -> TokenStream {
     let (transitions, ignored_in) = (device.set_off(given).into_iter().map(number), set(given.ignored_in()));
     quote! {
         #doc
-        pub const #name: Command = Command {
-            name: #text,
-            pattern: Pattern { mask: #mask, value: #value },
-            edge: #edge,
-            transitions: &[#(#transitions),*],
-            ignored_in: #ignored_in,
-        };
+        pub const #name: Command =
+            Command::new(#text, #mask, #value, &[#(#transitions),*]) #edge #ignored_in;
     }
 }
 
 /// A set of states, by their ids.
-fn set(ids: &[String]) -> TokenStream {
+fn set(ids: &[String]) -> Option<TokenStream> {
     let mut states = ids.iter().filter_map(|id| states::state(id)).peekable();
-    match states.peek() {
-        None => quote!(StateSet::NONE),
-        Some(_) => quote!(StateSet::of(&[#(State::#states),*])),
-    }
+    states.peek().is_some().then(|| quote!(.ignored_in(StateSet::of(&[#(State::#states),*]))))
 }
 
-fn edge(pattern: &Pattern) -> TokenStream {
+fn edge(pattern: &Pattern) -> Option<TokenStream> {
     match (pattern.rising(), pattern.falling()) {
-        (0, 0) => quote!(None),
+        (0, 0) => None,
         (0, falling) => {
             let falling = hex16(falling);
-            quote!(Some(Edge::Falling(#falling)))
+            Some(quote!(.on(Edge::Falling(#falling))))
         }
         (rising, _) => {
             let rising = hex16(rising);
-            quote!(Some(Edge::Rising(#rising)))
+            Some(quote!(.on(Edge::Rising(#rising))))
         }
     }
 }

@@ -1,10 +1,13 @@
 //! The values of all objects as structs.
 
-use proc_macro2::{Ident, TokenStream};
+use std::rc::Rc;
+
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::default;
 use super::doc::Doc;
+use super::item::{Item, Reach, Space};
 use super::literal;
 use super::names::Names;
 use super::scope::Scope;
@@ -26,68 +29,70 @@ const RESERVED: &[&str] = &[
     "Page",
 ];
 
-pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
-    let runtime = scope.runtime;
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
     let mut names = Names::with(RESERVED);
     names.claim(&scope.marker);
-    let stored = Stored::all(scope, &mut names);
-    let (table, slots) = (table::items(scope, &stored), slots::items(scope, &stored));
-    let records = stored.iter().filter_map(|object| record(scope, object));
+    let stored = Rc::new(Stored::all(scope, &mut names));
+    let table = table::items(scope, &stored);
+    let records = (0..stored.len()).filter_map(|place| record(scope, &stored, place)).collect::<Vec<_>>();
+    let values = Item::new(format_ident!("Dictionary"), move || (Doc::default(), values(scope, &stored)));
+    [values.reaching(Reach::Own)].into_iter().chain(records).chain(table).collect()
+}
+
+/// The structs of all values, and what a server asks of them.
+fn values(scope: &Scope<'_>, stored: &[Stored<'_>]) -> TokenStream {
     let (of_axis, of_device): (Vec<&Stored<'_>>, Vec<&Stored<'_>>) =
         stored.iter().partition(|object| object.is_of_axis());
-    let device = device(scope, &of_device, &of_axis);
+    let (device, server) = (device(scope, &of_device, &of_axis), slots::items(scope, stored));
     let axis = (!of_axis.is_empty()).then(|| axis(scope, &of_axis));
-    quote! {
-        /// The object dictionary as a firmware keeps it: values with their defaults, and a table of all entries.
-        pub mod dictionary {
-            use super::*;
-            use #runtime::sdo::{self, Access, DataType, EntryInfo, ObjectCode, ObjectInfo, Page, positions};
-            #device
-            #axis
-            #(#records)*
-            #slots
-            #table
-        }
-    }
+    quote!(#device #axis #server)
 }
 
 /// The struct of an object, if it has one of its own.
-fn record(scope: &Scope<'_>, object: &Stored<'_>) -> Option<TokenStream> {
-    let (ident, fields) = object.record()?;
-    let fields = fields.map(|(entry, name)| {
-        let (doc, value) = (entry_doc(scope, entry), kept(scope, entry).field());
-        quote!(#doc pub #name: #value,)
+fn record<'s>(scope: &'s Scope<'_>, stored: &Rc<Vec<Stored<'s>>>, place: usize) -> Option<Item<'s>> {
+    let object = stored.get(place)?;
+    let (name, fields) = object.record()?;
+    let entries: Vec<&'s Entry> = fields.map(|(entry, _)| entry).collect();
+    let shared = Rc::clone(stored);
+    let item = Item::new(name.clone(), move || {
+        shared.get(place).and_then(|object| structure_of(scope, object)).unwrap_or_default()
     });
-    let doc = &object.doc;
-    Some(quote! {
-        #doc
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct #ident { #(#fields)* }
-    })
+    let item = item.of(object.placed.first).told(object.subindices());
+    Some(item.each(entries, |item, entry| {
+        let unit = entry.unit.as_ref().and_then(|id| scope.device.unit(id));
+        let item = item.each(unit, |item, unit| item.of(unit));
+        item.each(&kept(scope, entry).newtype, |item, name| item.using(Space::Root, name))
+    }))
 }
 
-/// The default values on an axis, as an initialiser of the field.
+fn structure_of(scope: &Scope<'_>, object: &Stored<'_>) -> Option<(Doc, TokenStream)> {
+    let (ident, fields) = object.record()?;
+    let fields = fields.zip(0_usize..).map(|((entry, name), item)| {
+        let (doc, value, item) = (entry_doc(scope, entry), kept(scope, entry).field(), literal::number(item));
+        quote!(#doc #item #name: #value;)
+    });
+    let (runtime, doc) = (scope.runtime, &object.doc);
+    Some((Doc::default(), quote!(#runtime::record! { #doc pub struct #ident; #(#fields)* })))
+}
+
+/// The default values on an axis.
 fn default(scope: &Scope<'_>, stored: &Stored<'_>, object: &Object) -> TokenStream {
-    let name = &stored.name;
     let mut values = stored.on(object).map(|(first, entry)| {
         let value = kept(scope, first);
         value.wrap(default::kept(entry, value.primitive))
     });
     match &stored.shape {
-        Shape::Single => {
-            let value = values.next();
-            quote!(#name: #value,)
-        }
+        Shape::Single => values.next().unwrap_or_default(),
         Shape::Array if are_alike(stored.on(object).map(|(_, entry)| entry)) => {
             let (value, count) = (values.next(), literal::number(stored.entries.len()));
-            quote!(#name: [#value; #count],)
+            quote!([#value; #count])
         }
-        Shape::Array => quote!(#name: [#(#values),*],),
+        Shape::Array => quote!([#(#values),*]),
         Shape::List => {
             let count = values.next();
-            quote!(#name: sdo::List { count: #count, items: [#(#values),*] },)
+            quote!(sdo::List { count: #count, items: [#(#values),*] })
         }
-        Shape::Record(ident, fields) => quote!(#name: #ident { #(#fields: #values),* },),
+        Shape::Record(ident, fields) => quote!(#ident { #(#fields: #values),* }),
     }
 }
 
@@ -96,62 +101,43 @@ fn are_alike<'a>(mut entries: impl Iterator<Item = &'a Entry>) -> bool {
     entries.next().is_none_or(|first| entries.all(|entry| entry.default == first.default))
 }
 
-fn fields(objects: &[&Stored<'_>]) -> TokenStream {
+/// A line for each object.
+fn fields(scope: &Scope<'_>, objects: &[&Stored<'_>]) -> TokenStream {
     let fields = objects.iter().map(|object| {
-        let (doc, name, field) = (&object.doc, &object.name, &object.field);
-        quote!(#doc pub #name: #field,)
+        let Stored { doc, name, field, .. } = object;
+        let (number, default) = (literal::number(object.number), default(scope, object, object.placed.first));
+        let kept = match object.shape {
+            Shape::Single => quote!(value),
+            Shape::Array => quote!(items),
+            Shape::List => quote!(list),
+            Shape::Record(..) => quote!(record),
+        };
+        quote!(#doc #number #name: #field = #default, #kept;)
     });
     fields.collect()
 }
 
 fn device(scope: &Scope<'_>, objects: &[&Stored<'_>], of_axis: &[&Stored<'_>]) -> TokenStream {
-    let fields = fields(objects);
-    let defaults = objects.iter().map(|object| default(scope, object, object.placed.first));
-    let count = literal::number(scope.device.axes.len());
-    let doc = Doc::new("What each axis has, in order.");
-    let axes = (!of_axis.is_empty()).then(|| quote!(#doc pub axes: [AxisDictionary; #count],));
-    let axes_default = (!of_axis.is_empty()).then(|| axes_default(scope, of_axis));
-    let name = format_ident!("Dictionary");
-    let doc = "Every object whose value can change.";
-    structure(
-        &name,
-        doc,
-        "The values that the manual gives as defaults, 0 where it gives none.",
-        quote!(#fields #axes),
-        quote!(#(#defaults)* #axes_default),
-    )
+    let (runtime, fields) = (scope.runtime, fields(scope, objects));
+    let axes = (!of_axis.is_empty()).then(|| axes_default(scope, of_axis));
+    let default = "The values that the manual gives as defaults, 0 where it gives none.";
+    quote! {
+        #runtime::dictionary! {
+            /// Every object whose value can change.
+            pub struct Dictionary, #default;
+            #fields
+            #axes
+        }
+    }
 }
 
 fn axis(scope: &Scope<'_>, objects: &[&Stored<'_>]) -> TokenStream {
-    let fields = fields(objects);
-    let defaults = objects.iter().map(|object| default(scope, object, object.placed.first));
-    let name = format_ident!("AxisDictionary");
-    let doc = "Every object of an axis whose value can change, by its index on the first axis.";
-    structure(&name, doc, "The defaults of the first axis.", fields, quote!(#(#defaults)*))
-}
-
-fn structure(
-    name: &Ident,
-    doc: &str,
-    default_doc: &str,
-    fields: TokenStream,
-    defaults: TokenStream,
-) -> TokenStream {
-    let (doc, default_doc) = (Doc::new(doc), Doc::new(default_doc));
+    let (runtime, fields) = (scope.runtime, fields(scope, objects));
     quote! {
-        #doc
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct #name { #fields }
-
-        impl #name {
-            #default_doc
-            pub const DEFAULT: Self = Self { #defaults };
-        }
-
-        impl Default for #name {
-            fn default() -> Self {
-                Self::DEFAULT
-            }
+        #runtime::dictionary! {
+            /// Every object of an axis whose value can change, by its index on the first axis.
+            pub struct AxisDictionary, "The defaults of the first axis.";
+            #fields
         }
     }
 }
@@ -160,15 +146,15 @@ fn structure(
 fn axes_default(scope: &Scope<'_>, objects: &[&Stored<'_>]) -> TokenStream {
     let count = scope.device.axes.len();
     let of_axes: Vec<Vec<TokenStream>> = (0..count).map(|axis| differing(scope, objects, axis)).collect();
+    let number = literal::number(count);
     if of_axes.iter().all(Vec::is_empty) {
-        let count = literal::number(count);
-        return quote!(axes: [AxisDictionary::DEFAULT; #count],);
+        return quote!(axes AxisDictionary, #number = [AxisDictionary::DEFAULT; #number];);
     }
     let axes = of_axes.iter().map(|differing| match differing.as_slice() {
         [] => quote!(AxisDictionary::DEFAULT),
         differing => quote!(AxisDictionary { #(#differing)* ..AxisDictionary::DEFAULT }),
     });
-    quote!(axes: [#(#axes),*],)
+    quote!(axes AxisDictionary, #number = [#(#axes),*];)
 }
 
 /// The defaults that an axis has for itself.
@@ -176,7 +162,8 @@ fn differing(scope: &Scope<'_>, objects: &[&Stored<'_>], axis: usize) -> Vec<Tok
     let differs = |(first, entry): (&Entry, &Entry)| entry.default != first.default;
     let of_axis = objects.iter().filter_map(|stored| {
         let object = stored.placed.all.get(axis)?;
-        stored.on(object).any(differs).then(|| default(scope, stored, object))
+        let (name, default) = (&stored.name, || default(scope, stored, object));
+        stored.on(object).any(differs).then(default).map(|default| quote!(#name: #default,))
     });
     of_axis.collect()
 }

@@ -22,6 +22,11 @@ impl Doc {
         Self::default().text(title.as_ref())
     }
 
+    /// Whether it says nothing.
+    pub(super) fn is_empty(&self) -> bool {
+        self.lines.is_empty()
+    }
+
     /// Another paragraph, in Markdown.
     pub(super) fn text(mut self, text: &str) -> Self {
         if text.is_empty() {

@@ -4,16 +4,21 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::doc::{Doc, escape, place, sentence};
+use super::item::Item;
 use super::literal::{hex8, hex16, line, number, option};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::types::address;
 use crate::model::{Device, ErrorCode, Meaning};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let Some(name) = scope.types.newtype(address(0x603F)).filter(|_| !scope.device.errors.is_empty()) else {
-        return TokenStream::new();
-    };
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Option<Item<'s>> {
+    let name = scope.types.newtype(address(0x603F)).filter(|_| !scope.device.errors.is_empty())?;
+    let item = Item::new(name.clone(), move || code(scope, name)).of(&scope.device.errors);
+    let entry = scope.device.entry(address(0x603F));
+    Some(item.each(entry, |item, entry| item.of(&entry.values).of(&entry.source)))
+}
+
+fn code(scope: &Scope<'_>, name: &Ident) -> (Doc, TokenStream) {
     let (ranges, mut codes): (Vec<&ErrorCode>, Vec<&ErrorCode>) =
         scope.device.errors.iter().partition(|error| error.is_range());
     let values = values(scope.device);
@@ -24,8 +29,8 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
     let mut names = Names::default();
     let constants = codes.iter().map(|code| constant(scope, code, &names.claim(&shout(&code.id))));
     let (table, runtime) = (table(name, &codes, &ranges), scope.runtime);
-    quote! {
-        /// `0x603F` An error code. Codes that the description does not name keep their number.
+    let doc = Doc::new("`0x603F` An error code. Codes that the description does not name keep their number.");
+    let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct #name(pub u16);
 
@@ -40,7 +45,8 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
                 error::display(*self).fmt(f)
             }
         }
-    }
+    };
+    (doc, code)
 }
 
 /// The values that the object itself names, as that of no error.

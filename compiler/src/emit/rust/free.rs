@@ -1,21 +1,32 @@
 //! PDOs whose mapping is free: a type for each, with its limits.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::axes::Placed;
 use super::doc::Doc;
+use super::item::{Holders, Item};
 use super::literal::{hex16, number, option};
 use super::scope::Scope;
 use crate::model::Pdo;
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    scope.pdos.iter().filter(|pdo| !pdo.first.fixed).map(|pdo| item(scope, pdo)).collect()
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
+    let free = scope.pdos.iter().filter(|pdo| !pdo.first.fixed);
+    let items = free.map(|pdo| {
+        let name = format_ident!("Free{}", scope.pdo_ident(pdo));
+        let item = Item::held(name.clone(), move |holders| code(scope, pdo, &name, holders));
+        item.each(&pdo.all, |item, pdo| item.of(*pdo))
+    });
+    items.collect()
 }
 
-fn item(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
-    let pdo = placed.first;
-    let (name, marker) = (format_ident!("Free{}", scope.pdo_ident(placed)), &scope.marker);
+fn code(
+    scope: &Scope<'_>,
+    placed: &Placed<'_, Pdo>,
+    name: &Ident,
+    holders: &Holders<'_>,
+) -> (Doc, TokenStream) {
+    let (pdo, owner, members) = (placed.first, &scope.owner, super::pdos::members(holders));
     let direction = super::pdos::direction(pdo.direction);
     let indices = placed.all.iter().map(|pdo| hex16(pdo.index.0));
     let (max_bytes, max_entries) = (option(pdo.max_bytes.map(number)), option(pdo.max_entries.map(number)));
@@ -33,17 +44,18 @@ fn item(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> TokenStream {
         &pdo.origin,
         scope.device,
     );
-    quote! {
-        #doc
+    let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum #name {}
 
         impl MappingObject for #name {
-            type Device = #marker;
+            type Device = #owner;
             type Direction = #direction;
             const INDICES: &'static [u16] = &[#(#indices),*];
             const MAX_BYTES: Option<u16> = #max_bytes;
             const MAX_ENTRIES: Option<u8> = #max_entries;
+            #members
         }
-    }
+    };
+    (doc, code)
 }

@@ -1,27 +1,28 @@
 //! What a module begins with: what it is of, the device, the axes.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::axes::shift;
 use super::doc::{Doc, escape, sentence};
+use super::item::Item;
 use super::literal::{hex32, number};
 use super::measured;
 use super::scope::Scope;
+use super::types::Primitive;
 use crate::model::{Device, Index};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let (docs, runtime, device) = (module_doc(scope.device).inner(), scope.runtime, device(scope));
-    let axes = scope.has_axes.then(|| axes(scope));
-    let widths = imports(scope, &format_ident!("object"), &scope.widths());
-    let units = imports(scope, &format_ident!("unit"), &Vec::from_iter(measured::types(&scope.units)));
+/// What the code of a module needs of the runtime.
+pub(super) fn imports(scopes: &[Scope<'_>]) -> TokenStream {
+    let Some(runtime) = scopes.first().map(|scope| scope.runtime) else { return TokenStream::new() };
+    let widths = scopes.iter().flat_map(Scope::widths).collect::<BTreeSet<_>>();
+    let widths: Vec<TokenStream> = widths.into_iter().map(Primitive::tokens).collect();
+    let units: BTreeSet<Ident> = scopes.iter().flat_map(|scope| measured::types(&scope.units)).collect();
+    let widths = import(runtime, &format_ident!("object"), &widths);
+    let units = import(runtime, &format_ident!("unit"), &Vec::from_iter(units));
     quote! {
-        #docs
-        #![allow(
-            dead_code, unused_imports, unreachable_pub, clippy::identity_op, clippy::unnecessary_cast,
-            reason = "what of it is used is up to the device and to those who include the module"
-        )]
-
         use #runtime::cia402::{
             Command, Condition, Coupling, Edge, Events, HomingBits, Machine, Mode, ModeChange,
             Modes, Pattern, Refusal, State, StatePatterns, StateSet, Transition, UnknownState,
@@ -30,20 +31,27 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         #widths
         use #runtime::object::{Address, BitField, Constant, Entry, ReadOnly, ReadWrite, WriteOnly};
         use #runtime::pdo::{
-            Carries, MappedPdo, Mapping, MappingObject, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
+            MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
             Unmapped,
         };
         use #runtime::start_up::{AxisObjects, BringUp, Write};
         #units
         use #runtime::{Device, error};
-        #device
-        #axes
+    }
+}
+
+/// What nobody is to be warned of.
+pub(super) fn allowed() -> TokenStream {
+    quote! {
+        #![allow(
+            dead_code, unused_imports, unreachable_pub, clippy::identity_op, clippy::unnecessary_cast,
+            reason = "what of it is used is up to the device and to those who include the module"
+        )]
     }
 }
 
 /// Names out of a module of the runtime, if there are any.
-fn imports(scope: &Scope<'_>, module: &Ident, names: &[impl ToTokens]) -> TokenStream {
-    let runtime = scope.runtime;
+fn import(runtime: &TokenStream, module: &Ident, names: &[impl ToTokens]) -> TokenStream {
     match names {
         [] => TokenStream::new(),
         [only] => quote!(use #runtime::#module::#only;),
@@ -51,7 +59,14 @@ fn imports(scope: &Scope<'_>, module: &Ident, names: &[impl ToTokens]) -> TokenS
     }
 }
 
-fn module_doc(device: &Device) -> Doc {
+/// The axes, if something is there for each.
+pub(super) fn axes_item<'s>(scope: &'s Scope<'_>) -> Option<Item<'s>> {
+    let Device { axes, arrangement, .. } = scope.device;
+    let item = || Item::new(format_ident!("Axis"), || self::axes(scope)).of(axes).of(arrangement);
+    scope.has_axes.then(item)
+}
+
+pub(super) fn module_doc(device: &Device) -> Doc {
     let title = device.title.as_deref().map(|title| format!(": {title}")).unwrap_or_default();
     let documents = device.documents.iter().map(|document| {
         let parts = [
@@ -78,7 +93,8 @@ fn module_doc(device: &Device) -> Doc {
     }
 }
 
-fn device(scope: &Scope<'_>) -> TokenStream {
+/// The type that stands for the device.
+pub(super) fn device(scope: &Scope<'_>) -> TokenStream {
     let marker = &scope.marker;
     if scope.marker_is_outside {
         return quote!(use super::#marker;);
@@ -116,7 +132,7 @@ pub(crate) fn identity(device: &Device, marker: &proc_macro2::Ident, as_device: 
     }
 }
 
-fn axes(scope: &Scope<'_>) -> TokenStream {
+fn axes(scope: &Scope<'_>) -> (Doc, TokenStream) {
     let axes = &scope.device.axes;
     let variants = axes.iter().zip(scope.axis_idents()).map(|(axis, (variant, _))| {
         let name = format!("Axis {}", axis.name);
@@ -133,9 +149,8 @@ fn axes(scope: &Scope<'_>) -> TokenStream {
     let distance = shift(scope.device, Index(0x6000))
         .map(|by| format!("Objects of the drive profile are 0x{by:X} apart."));
     let doc = Doc::new("The axes of the device.").text(&distance.unwrap_or_default());
-    let marker = &scope.marker;
-    quote! {
-        #doc
+    let (owner, within) = (&scope.owner, &scope.within.1);
+    let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[repr(u8)]
         pub enum Axis { #(#variants)* }
@@ -145,18 +160,19 @@ fn axes(scope: &Scope<'_>) -> TokenStream {
             pub const ALL: [Self; #count] = [#(#all),*];
 
             /// The index that is `first` on the first axis and `shift` higher on each that follows.
-            const fn index(self, first: u16, shift: u16) -> u16 {
+            #within const fn index(self, first: u16, shift: u16) -> u16 {
                 first.wrapping_add(shift.wrapping_mul(self as u16))
             }
 
-            const fn entry<T: ?Sized, A, M>(
+            #within const fn entry<T: ?Sized, A, M>(
                 self,
                 first: u16,
                 shift: u16,
                 subindex: u8,
-            ) -> Entry<#marker, T, A, M> {
+            ) -> Entry<#owner, T, A, M> {
                 Entry::new(self.index(first, shift), subindex)
             }
         }
-    }
+    };
+    (doc, code)
 }

@@ -1,20 +1,23 @@
 //! The homing methods of 0x6098.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::doc::{Doc, escape, sentence};
+use super::item::Item;
 use super::literal::{line, number};
 use super::names::{Names, shout};
 use super::scope::Scope;
 use super::types::address;
 use crate::model::{Alternative, HomingMethod, Way};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Option<Item<'s>> {
     let methods = &scope.device.homing_methods;
-    let Some(name) = scope.types.newtype(address(0x6098)).filter(|_| !methods.is_empty()) else {
-        return TokenStream::new();
-    };
+    let name = scope.types.newtype(address(0x6098)).filter(|_| !methods.is_empty())?;
+    Some(Item::new(name.clone(), move || code(scope, methods, name)).of(methods))
+}
+
+fn code(scope: &Scope<'_>, methods: &[HomingMethod], name: &Ident) -> (Doc, TokenStream) {
     let mut names = Names::default();
     let constants = methods.iter().map(|method| {
         let (doc, number) = (doc(scope, method), number(method.number));
@@ -22,8 +25,8 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         quote!(#doc pub const #constant: Self = Self(#number);)
     });
     let (rows, runtime) = (rows(methods), scope.runtime);
-    quote! {
-        /// `0x6098` A homing method. Numbers that the description does not name stay what they are.
+    let doc = "`0x6098` A homing method. Numbers that the description does not name stay what they are.";
+    let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct #name(pub i8);
 
@@ -46,7 +49,8 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
         }
 
         #runtime::value!(#name as i8);
-    }
+    };
+    (Doc::new(doc), code)
 }
 
 /// A row for each number that selects a method, by number.
@@ -71,14 +75,7 @@ fn row(number: i8, method: &HomingMethod) -> TokenStream {
         Some(Way::Positive) => quote!(Some(Direction::Positive)),
         Some(Way::Negative) => quote!(Some(Direction::Negative)),
     };
-    quote!(HomingInfo {
-        number: #number,
-        name: #name,
-        direction: #direction,
-        pulse: #pulse,
-        target: #target,
-        text: #text,
-    })
+    quote!(HomingInfo::new(#number, #name, #direction, #pulse, #target, #text))
 }
 
 /// What the drive does, in running text.

@@ -5,11 +5,12 @@ use quote::{format_ident, quote};
 
 use super::axes::Placed;
 use super::doc::Doc;
+use super::item::{Item, Space};
 use super::literal::number;
 use super::names::{Names, snake};
 use super::packing::{self, Layout};
 use super::scope::Scope;
-use crate::model::{Direction, Index, Pdo, Role};
+use crate::model::{Direction, Index, Pdo, Role, SyncManager};
 
 /// A field of an image.
 struct Part<'a, 'p> {
@@ -21,57 +22,75 @@ struct Part<'a, 'p> {
     of_axes: bool,
 }
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    [Direction::Rx, Direction::Tx].into_iter().filter_map(|way| by_default(scope, way)).collect()
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
+    [Direction::Rx, Direction::Tx].into_iter().filter_map(|way| item(scope, way)).collect()
 }
 
-/// The image by default; none if there are no PDOs in it, or if one of them ends within a byte.
-pub(super) fn by_default(scope: &Scope<'_>, way: Direction) -> Option<TokenStream> {
+fn item<'s>(scope: &'s Scope<'_>, way: Direction) -> Option<Item<'s>> {
     let manager = scope.device.sync_manager(Role::of(way))?;
-    let assigned: Vec<Index> = scope.device.assigned(manager.role).map(|pdo| pdo.index).collect();
-    if assigned.is_empty() {
-        return None;
-    }
+    let image = by_default(scope, way)?;
+    let (pdos, shifts): (Vec<Ident>, Vec<Option<u16>>) =
+        image.parts.iter().map(|part| (scope.pdo_ident(part.pdo), part.pdo.shift)).unzip();
+    let bytes = scope.device.image_bytes(manager.role);
+    let item = Item::new(name(way), move || (doc(scope, way, manager), image.code(scope)));
+    let item = item.with_name(format_ident!("{}View", name(way))).of(manager).told(bytes);
+    let item = item.each(pdos, |item, pdo| item.using(Space::Root, &pdo));
+    Some(item.each(shifts, |item, shift| scope.placed(item, shift)))
+}
+
+fn doc(scope: &Scope<'_>, way: Direction, manager: &SyncManager) -> Doc {
     let title = match way {
         Direction::Rx => "The outputs of the master",
         Direction::Tx => "The inputs of the master",
     };
     let length = scope.device.image_bytes(manager.role);
-    let doc = Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes.")).said(
+    Doc::new(format!("{title} with the PDOs assigned by default, {length} bytes.")).said(
         manager.source.as_ref(),
         &manager.origin,
         scope.device,
-    );
-    let pdos: Vec<&Placed<'_, Pdo>> = scope.pdos.iter().collect();
-    image(scope, &pdos, &assigned, way, &doc)
+    )
 }
 
-/// An image of PDOs out of these; none if one of them ends within a byte.
-pub(super) fn image(
-    scope: &Scope<'_>,
-    pdos: &[&Placed<'_, Pdo>],
-    assigned: &[Index],
-    way: Direction,
-    doc: &Doc,
-) -> Option<TokenStream> {
-    let parts = parts(pdos, assigned)?;
-    let fields = parts.iter().map(|part| field(scope, part));
-    let pdos = parts.iter().flat_map(|part| selected(scope, part));
-    let name = name(way);
-    let count = |part: &Part<'_, '_>| u32::try_from(part.count()).unwrap_or(0);
-    let length = parts.iter().map(|part| part.pdo.first.bytes() * count(part)).sum();
-    let packing = packing::items(scope, &name, super::pdos::direction(way), &layout(scope, &parts, length));
-    Some(quote! {
-        #doc
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct #name { #(#fields)* }
+/// The image by default; none if there are no PDOs in it, or if one of them ends within a byte.
+pub(super) fn by_default<'a, 's>(scope: &'s Scope<'a>, way: Direction) -> Option<Image<'a, 's>> {
+    let manager = scope.device.sync_manager(Role::of(way))?;
+    let assigned: Vec<Index> = scope.device.assigned(manager.role).map(|pdo| pdo.index).collect();
+    let pdos: Vec<&Placed<'_, Pdo>> = scope.pdos.iter().collect();
+    Image::of(&pdos, &assigned, way).filter(|_| !assigned.is_empty())
+}
 
-        #packing
+/// An image of PDOs.
+pub(super) struct Image<'a, 'p> {
+    pub(super) way: Direction,
+    parts: Vec<Part<'a, 'p>>,
+}
 
-        impl ProcessImage for #name {
-            const PDOS: &'static [MappedPdo] = &[#(#pdos),*];
+impl<'a, 'p> Image<'a, 'p> {
+    /// An image of PDOs out of these; none if one of them ends within a byte.
+    pub(super) fn of(pdos: &[&'p Placed<'a, Pdo>], assigned: &[Index], way: Direction) -> Option<Self> {
+        Some(Self { way, parts: parts(pdos, assigned)? })
+    }
+
+    /// All of it but the documentation.
+    pub(super) fn code(&self, scope: &Scope<'_>) -> TokenStream {
+        let Self { way, parts } = self;
+        let fields = parts.iter().map(|part| field(scope, part));
+        let pdos = parts.iter().flat_map(|part| selected(scope, part));
+        let (name, direction) = (name(*way), super::pdos::direction(*way));
+        let count = |part: &Part<'_, '_>| u32::try_from(part.count()).unwrap_or(0);
+        let length = parts.iter().map(|part| part.pdo.first.bytes() * count(part)).sum();
+        let packing = packing::items(scope, &name, direction, &layout(scope, parts, length));
+        quote! {
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct #name { #(#fields)* }
+
+            #packing
+
+            impl ProcessImage for #name {
+                const PDOS: &'static [MappedPdo] = &[#(#pdos),*];
+            }
         }
-    })
+    }
 }
 
 /// The name of the image of a direction.

@@ -4,25 +4,32 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::doc::Doc;
+use super::item::{Item, Space};
 use super::literal::{hex16, number};
 use super::names::Names;
 use super::scope::Scope;
 use super::{commands, states};
 use crate::model::{Device, Event, HomingBits, Mode, ModeChange, Refusal};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
     let device = scope.device;
     let mut names = Names::default();
     let homing = device.modes.iter().filter_map(|mode| homing(scope, mode, &mut names));
-    let homing: TokenStream = homing.collect();
     if device.states.is_empty() || device.transitions.is_empty() {
-        return homing;
+        return homing.collect();
     }
-    let (conditions, modes, machine) = (conditions(device), modes(scope), machine(scope));
-    quote!(#conditions #modes #homing #machine)
+    let name = |name: &str| format_ident!("{name}");
+    let conditions = Item::new(name("CONDITIONS"), || conditions(device)).of(&device.transitions);
+    let modes = Item::new(name("MODES"), || modes(device));
+    let modes = modes.of(&device.modes).of(&device.mode_changes).of(&device.device_control);
+    let machine = Item::new(name("MACHINE"), || machine(scope)).of(&device.device_control);
+    let commands = device.given().next().map(|_| name("commands"));
+    let parts = ["STATES", "TRANSITIONS", "CONDITIONS", "MODES"].map(name).into_iter().chain(commands);
+    let machine = machine.each(parts, |machine, part| machine.using(Space::Root, &part));
+    [conditions, modes].into_iter().chain(homing).chain([machine]).collect()
 }
 
-fn machine(scope: &Scope<'_>) -> TokenStream {
+fn machine(scope: &Scope<'_>) -> (Doc, TokenStream) {
     let control = scope.device.device_control.as_ref();
     let commands = commands::list(scope.device);
     let refusal = refusal(control.map_or(Refusal::Ignored, |control| control.wrong_command));
@@ -32,8 +39,7 @@ fn machine(scope: &Scope<'_>) -> TokenStream {
         Some(control) => doc.said(control.source.as_ref(), &control.origin, scope.device),
         None => doc,
     };
-    quote! {
-        #doc
+    let code = quote! {
         pub const MACHINE: Machine = Machine {
             states: STATES,
             commands: #commands,
@@ -42,7 +48,8 @@ fn machine(scope: &Scope<'_>) -> TokenStream {
             refusal: #refusal,
             modes: MODES,
         };
-    }
+    };
+    (doc, code)
 }
 
 fn refusal(refusal: Refusal) -> TokenStream {
@@ -53,7 +60,7 @@ fn refusal(refusal: Refusal) -> TokenStream {
 }
 
 /// What makes transitions, the most urgent first, then what hinders them.
-fn conditions(device: &Device) -> TokenStream {
+fn conditions(device: &Device) -> (Doc, TokenStream) {
     let caused = device.caused().into_iter().map(|one| ("caused", one, &one.events));
     let hindered = device.transitions.iter().filter(|one| one.supported && !one.interlocks.is_empty());
     let hindered = hindered.map(|one| ("hindered", one, &one.interlocks));
@@ -61,10 +68,8 @@ fn conditions(device: &Device) -> TokenStream {
         let (how, number, events) = (format_ident!("{how}"), number(transition.number), events(of));
         quote!(Condition::#how(#number, #events))
     });
-    quote! {
-        /// What makes or hinders transitions besides commands, the most urgent first.
-        pub const CONDITIONS: &[Condition] = &[#(#rows),*];
-    }
+    let doc = Doc::new("What makes or hinders transitions besides commands, the most urgent first.");
+    (doc, quote!(pub const CONDITIONS: &[Condition] = &[#(#rows),*];))
 }
 
 fn events(events: &[Event]) -> TokenStream {
@@ -85,8 +90,7 @@ fn event_name(event: Event) -> Ident {
     format_ident!("{name}")
 }
 
-fn modes(scope: &Scope<'_>) -> TokenStream {
-    let device = scope.device;
+fn modes(device: &Device) -> (Doc, TokenStream) {
     let supported = device.mode_codes().into_iter().map(number);
     let changes = device.mode_changes.iter().map(change);
     let control = device.device_control.as_ref();
@@ -96,15 +100,16 @@ fn modes(scope: &Scope<'_>) -> TokenStream {
     let states: Vec<TokenStream> = states.collect();
     let selectable_in =
         if states.is_empty() { quote!(StateSet::ALL) } else { quote!(StateSet::of(&[#(#states),*])) };
-    quote! {
-        /// The modes of operation by their numbers, and how the drive goes from one to another.
+    let code = quote! {
         pub const MODES: Modes = Modes {
             supported: &[#(#supported),*],
             changes: &[#(#changes),*],
             selectable_in: #selectable_in,
             refusal: #refusal,
         };
-    }
+    };
+    let doc = "The modes of operation by their numbers, and how the drive goes from one to another.";
+    (Doc::new(doc), code)
 }
 
 fn change(change: &ModeChange) -> TokenStream {
@@ -118,20 +123,25 @@ fn codes(codes: &[i16]) -> Vec<Literal> {
 }
 
 /// The bits of homing, if the mode has them.
-fn homing(scope: &Scope<'_>, mode: &Mode, names: &mut Names) -> Option<TokenStream> {
-    let mask = |bit: u8| hex16(1_u16.checked_shl(bit.into()).unwrap_or(0));
-    let HomingBits { start, reached, attained, error } = mode.homing_bits?;
+fn homing<'s>(scope: &'s Scope<'_>, mode: &'s Mode, names: &mut Names) -> Option<Item<'s>> {
+    let bits = mode.homing_bits?;
     let name = names.claim(&format_ident!("HOMING"));
+    Some(Item::new(name.clone(), move || homing_bits(scope, mode, bits, &name)).of(mode))
+}
+
+fn homing_bits(scope: &Scope<'_>, mode: &Mode, bits: HomingBits, name: &Ident) -> (Doc, TokenStream) {
+    let mask = |bit: u8| hex16(1_u16.checked_shl(bit.into()).unwrap_or(0));
+    let HomingBits { start, reached, attained, error } = bits;
     let (start, reached, attained, error) = (mask(start), mask(reached), mask(attained), mask(error));
     let title = format!("The bits that start a reference run in mode {} and show how far it is.", mode.code);
     let doc = Doc::new(title).said(mode.source.as_ref(), &mode.origin, scope.device);
-    Some(quote! {
-        #doc
+    let code = quote! {
         pub const #name: HomingBits = HomingBits {
             start: #start,
             reached: #reached,
             attained: #attained,
             error: #error,
         };
-    })
+    };
+    (doc, code)
 }

@@ -67,6 +67,12 @@ impl<'a> Measured<'a> {
         Some(Self { unit, constants, of_axis })
     }
 
+    /// The names of its items.
+    pub(super) fn names(&self) -> impl Iterator<Item = &Ident> {
+        let of_axis = self.of_axis.iter().map(|(name, _)| name);
+        self.constants.iter().map(|constant| &constant.name).chain(of_axis)
+    }
+
     /// The types of its items.
     fn means(&self) -> impl Iterator<Item = Means> {
         let of_axis = self.of_axis.iter().map(|(_, means)| *means);

@@ -9,16 +9,19 @@ mod bytes;
 mod chosen;
 mod codes;
 mod commands;
+mod contents;
 mod default;
 mod dictionary;
 mod doc;
 mod entry;
 mod errors;
+mod family;
 mod free;
 mod head;
 mod homing;
 mod images;
 mod information;
+mod item;
 mod literal;
 mod machine;
 mod measure;
@@ -32,7 +35,9 @@ mod pdos;
 mod ranges;
 mod rows;
 mod scope;
+mod sharing;
 mod slots;
+mod space;
 mod start_up;
 mod states;
 mod stored;
@@ -43,6 +48,8 @@ mod text;
 mod types;
 mod units;
 mod words;
+
+use std::slice;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -59,7 +66,7 @@ use crate::lint::Checked;
 #[cfg(any(feature = "rust", feature = "derive"))]
 use crate::lint::rules;
 use crate::model::{Device, Family};
-use braces::braces;
+use item::{Holders, Space};
 use scope::Scope;
 
 /// What Rust cannot hold.
@@ -79,52 +86,36 @@ pub struct Options {
     pub runtime: TokenStream,
     /// The type that stands for the device, declared beside the module; none to declare one in it.
     pub device: Option<Ident>,
+    /// Whether there is the dictionary for a firmware; a master needs none.
+    pub dictionary: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { runtime: quote!(::devc_runtime), device: None }
+        Self { runtime: quote!(::devc_runtime), device: None, dictionary: true }
     }
 }
 
-/// The content of a module: of one device alone, or with a module for each member of a family.
+/// The content of a module: of one device alone, or of a family with a module for each member.
 pub fn tokens(family: &Checked<Family>, options: &Options) -> TokenStream {
     match family.members.as_slice() {
         [device] => member(device, options),
-        members => {
-            let modules = members.iter().map(|device| {
-                let (name, content) = (snake(&device.id), braces([member(device, options)]));
-                quote!(pub mod #name #content)
-            });
-            let title = doc::Doc::new(format!("The devices of the family {}.", doc::escape(&family.name)));
-            let title = title.inner();
-            let reason = "a family may bear the name of a member";
-            quote!(#title #![allow(clippy::module_inception, reason = #reason)] #(#modules)*)
-        }
+        _ => family::tokens(family, options),
     }
 }
 
-/// The content of a member's module.
+/// The content of the module of a device that is alone.
 pub fn member(device: &Device, options: &Options) -> TokenStream {
-    let scope = Scope::new(device, options);
-    let parts = [
-        head::items(&scope),
-        objects::module(&scope),
-        words::items(&scope),
-        codes::items(&scope),
-        pdos::items(&scope),
-        free::items(&scope),
-        images::items(&scope),
-        sync_managers::items(&scope),
-        start_up::items(&scope),
-        states::items(&scope),
-        commands::items(&scope),
-        modes::items(&scope),
-        machine::items(&scope),
-        homing::items(&scope),
-        errors::items(&scope),
-        units::module(&scope),
-        dictionary::module(&scope),
-    ];
-    parts.into_iter().collect()
+    let scope = Scope::new(device, None, options);
+    let holders = Holders::alone();
+    let of_spaces = contents::of(&scope, options).into_iter().map(|(space, items)| {
+        let items = items.iter().map(|item| item.tokens(&holders));
+        match space {
+            Space::Root => items.collect(),
+            space => space.module(scope.runtime, items),
+        }
+    });
+    let parts = [head::module_doc(device).inner(), head::allowed(), head::imports(slice::from_ref(&scope))];
+    let device = [head::device(&scope), start_up::family(&scope)];
+    parts.into_iter().chain(device).chain(of_spaces).collect()
 }

@@ -1,30 +1,33 @@
 //! The modes of operation.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::doc::{Doc, escape, sentence};
+use super::item::Item;
 use super::literal::{line, number, parsed};
 use super::names::{Names, camel};
 use super::scope::Scope;
 use crate::model::Mode;
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Option<Item<'s>> {
     // the object of the mode holds 8 bits
     let modes: Vec<(&Mode, i8)> =
         scope.device.modes.iter().filter_map(|mode| Some((mode, i8::try_from(mode.code).ok()?))).collect();
-    if modes.is_empty() {
-        return TokenStream::new();
-    }
+    let item =
+        |modes: Vec<(&'s Mode, i8)>| Item::new(format_ident!("ModeOfOperation"), move || code(scope, &modes));
+    (!modes.is_empty()).then(|| item(modes).of(&scope.device.modes))
+}
+
+fn code(scope: &Scope<'_>, modes: &[(&Mode, i8)]) -> (Doc, TokenStream) {
     let mut names = Names::default();
     let names: Vec<Ident> = modes.iter().map(|(mode, _)| names.claim(&camel(&mode.id))).collect();
     let variants = modes.iter().zip(&names).map(|((mode, code), name)| {
         let (doc, code) = (doc(scope, mode), number(*code));
         quote!(#doc #name = #code,)
     });
-    let (texts, implementation) = (texts(&modes, &names), implementation(&modes, &names));
-    quote! {
-        /// `0x6060` The modes of operation.
+    let (texts, implementation) = (texts(modes, &names), implementation(modes, &names));
+    let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[repr(i8)]
         pub enum ModeOfOperation { #(#variants)* }
@@ -37,7 +40,8 @@ pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
                 f.write_str(self.name())
             }
         }
-    }
+    };
+    (Doc::new("`0x6060` The modes of operation."), code)
 }
 
 fn doc(scope: &Scope<'_>, mode: &Mode) -> Doc {

@@ -51,7 +51,7 @@ fn fields(places: &[Place]) -> TokenStream {
 
 /// Packing and unpacking, as constants and as the trait, and the view.
 pub(super) fn items(scope: &Scope<'_>, name: &Ident, direction: TokenStream, layout: &Layout) -> TokenStream {
-    let (runtime, marker, length) = (scope.runtime, &scope.marker, number(layout.length));
+    let (runtime, owner, length) = (scope.runtime, &scope.owner, number(layout.length));
     let Layout { pack, pattern, unpack, view: (of, fields), inline, .. } = layout;
     let view = format_ident!("{name}View");
     quote! {
@@ -69,7 +69,7 @@ pub(super) fn items(scope: &Scope<'_>, name: &Ident, direction: TokenStream, lay
             }
         }
 
-        #runtime::process_data!(#name: #marker, #direction, #length);
+        #runtime::process_data!(#name: #owner, #direction, #length);
 
         #runtime::view! {
             pub #view #of #name, #length;

@@ -6,13 +6,13 @@ use super::stored::Home;
 use crate::model::{Index, Object};
 
 /// Objects whose indices share the high byte.
-pub(super) struct Page<'a> {
+pub(super) struct Page<'a, 'h> {
     pub(super) high: u8,
     /// The objects, ascending by index, and where the values of each are if it has any that can change.
-    pub(super) rows: Vec<(&'a Object, Option<&'a Home>)>,
+    pub(super) rows: Vec<(&'a Object, Option<&'h Home>)>,
 }
 
-impl<'a> Page<'a> {
+impl<'a> Page<'a, '_> {
     /// The objects, ascending by index.
     pub(super) fn objects(&self) -> impl Iterator<Item = &'a Object> {
         self.rows.iter().map(|(object, _)| *object)
@@ -25,8 +25,8 @@ impl<'a> Page<'a> {
 }
 
 /// The pages of a dictionary, ascending by index.
-pub(super) fn pages<'a>(objects: &'a [Object], homes: &'a BTreeMap<Index, Home>) -> Vec<Page<'a>> {
-    let mut pages: Vec<Page<'_>> = Vec::new();
+pub(super) fn pages<'a, 'h>(objects: &'a [Object], homes: &'h BTreeMap<Index, Home>) -> Vec<Page<'a, 'h>> {
+    let mut pages: Vec<Page<'a, 'h>> = Vec::new();
     for object in objects {
         let [high, _] = object.index.0.to_be_bytes();
         let row = (object, homes.get(&object.index));

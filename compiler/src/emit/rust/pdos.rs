@@ -1,12 +1,13 @@
 //! A struct for each PDO, or for the PDOs of all axes that are alike.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::axes::{self, Placed};
 use super::bytes::Place;
 use super::doc::{Doc, escape};
 use super::entry;
+use super::item::{Holders, Item, Space};
 use super::literal::number;
 use super::names::{Names, snake};
 use super::packing::{self, Layout};
@@ -23,26 +24,64 @@ pub(super) enum By {
     Master,
 }
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    scope.pdos.iter().map(|pdo| items_of(scope, pdo, By::Device)).collect()
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
+    let items = scope.pdos.iter().map(|pdo| {
+        let name = scope.pdo_ident(pdo);
+        let item = Item::held(name.clone(), move |holders| code(scope, pdo, By::Device, holders));
+        made_of(scope, pdo, item.with_name(format_ident!("{name}View")))
+    });
+    items.collect()
 }
 
-pub(super) fn items_of(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, by: By) -> TokenStream {
+/// What the struct of a PDO depends on.
+pub(super) fn made_of<'s>(scope: &'s Scope<'_>, placed: &Placed<'s, Pdo>, item: Item<'s>) -> Item<'s> {
+    let item = item.each(&placed.all, |item, pdo| item.of(*pdo));
+    let mapped = placed.first.entries.iter().filter_map(|mapped| Some((mapped, mapped.address?)));
+    let item = item.each(mapped, |item, (mapped, address)| {
+        let value = value_type(scope, mapped);
+        let entry = scope.device.entry(address);
+        let item = item.told(format!("{:?} {}", value.primitive, entry.is_some()));
+        let item = item.each(&value.newtype, |item, name| item.using(Space::Root, name));
+        let unit = entry.and_then(|entry| scope.device.unit(entry.unit.as_ref()?));
+        item.each(unit.filter(|unit| !scope.unlike.contains(unit.id.as_str())), |item, unit| item.of(unit))
+    });
+    match placed.shift {
+        Some(_) => scope.placed(item.of(&scope.device.arrangement), placed.shift),
+        None => item,
+    }
+}
+
+/// The constant that says which members of a family have it; nothing if all have.
+pub(super) fn members(holders: &Holders<'_>) -> Option<TokenStream> {
+    let places = holders.places.iter().copied().map(number);
+    (!holders.is_all).then(|| {
+        quote!(
+            const MEMBERS: Members = Members::of(&[#(#places),*]);
+        )
+    })
+}
+
+pub(super) fn code(
+    scope: &Scope<'_>,
+    placed: &Placed<'_, Pdo>,
+    by: By,
+    holders: &Holders<'_>,
+) -> (Doc, TokenStream) {
     let pdo = placed.first;
     let (name, places) = (scope.pdo_ident(placed), places(scope, pdo));
     let fields = pdo.entries.iter().zip(&places).filter_map(|(mapped, place)| field(scope, mapped, place));
     let doc = doc(scope, placed);
     let layout = Layout::of_fields(&places, pdo.bytes());
     let packing = packing::items(scope, &name, direction(pdo.direction), &layout);
-    let mapping = mapping(scope, placed, &name, by);
-    quote! {
-        #doc
+    let mapping = mapping(scope, placed, &name, by, holders);
+    let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct #name { #(#fields)* }
 
         #packing
         #mapping
-    }
+    };
+    (doc, code)
 }
 
 /// The type of a direction.
@@ -98,7 +137,11 @@ fn field(scope: &Scope<'_>, mapped: &Mapped, place: &Place) -> Option<TokenStrea
     let title = format!("`{address}` {}", super::doc::sentence(&mapped.name));
     let doc = match scope.device.entry(address) {
         Some(entry) => {
-            let unit = entry.unit.as_ref().and_then(|id| scope.device.unit(id)).map(entry::unit);
+            let unit = entry.unit.as_ref().and_then(|id| scope.device.unit(id));
+            let unit = unit.map(|unit| match scope.unlike.contains(unit.id.as_str()) {
+                true => "in the unit that the device has for it".to_owned(),
+                false => entry::unit(unit),
+            });
             Doc::new(match unit {
                 Some(unit) => format!("{}, {}.", title.trim_end_matches('.'), escape(&unit)),
                 None => title,
@@ -111,20 +154,16 @@ fn field(scope: &Scope<'_>, mapped: &Mapped, place: &Place) -> Option<TokenStrea
 }
 
 /// The index and what is mapped: of the PDO, or of each axis and for the trait of the first.
-fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident, by: By) -> TokenStream {
-    let pdo = placed.first;
-    let rows = pdo.entries.iter().map(|mapped| {
-        let (index, subindex) = match mapped.address {
-            Some(address) => {
-                let shift = placed.shift.and_then(|_| axes::shift(scope.device, address.index));
-                (axes::index(address.index, shift), number(address.subindex))
-            }
-            None => (quote!(0), number(0)),
-        };
-        let bits = number(mapped.bits);
-        quote!(Mapping { address: Address::new(#index, #subindex), bits: #bits })
-    });
+fn mapping(
+    scope: &Scope<'_>,
+    placed: &Placed<'_, Pdo>,
+    name: &Ident,
+    by: By,
+    holders: &Holders<'_>,
+) -> TokenStream {
+    let (pdo, rows) = (placed.first, rows(scope, placed));
     let (count, index) = (number(pdo.entries.len()), axes::index(pdo.index, placed.shift));
+    let members = members(holders);
     let made = match by {
         By::Device => quote!(MappedPdo::new),
         By::Master => quote!(MappedPdo::own),
@@ -140,6 +179,7 @@ fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident, by: By) ->
                 const INDEX: u16 = #index;
                 const MAPPING: &'static [Mapping] = &[#(#rows),*];
                 #all
+                #members
             }
         };
     }
@@ -163,6 +203,23 @@ fn mapping(scope: &Scope<'_>, placed: &Placed<'_, Pdo>, name: &Ident, by: By) ->
             const INDEX: u16 = Self::index(Axis::#first);
             const MAPPING: &'static [Mapping] = &Self::mapping(Axis::#first);
             const ALL: &'static [MappedPdo] = &[#(#all),*];
+            #members
         }
     }
+}
+
+/// What is mapped, of an axis if each has the PDO.
+fn rows(scope: &Scope<'_>, placed: &Placed<'_, Pdo>) -> Vec<TokenStream> {
+    let rows = placed.first.entries.iter().map(|mapped| {
+        let (index, subindex) = match mapped.address {
+            Some(address) => {
+                let shift = placed.shift.and_then(|_| axes::shift(scope.device, address.index));
+                (axes::index(address.index, shift), number(address.subindex))
+            }
+            None => (quote!(0), number(0)),
+        };
+        let bits = number(mapped.bits);
+        quote!(Mapping { address: Address::new(#index, #subindex), bits: #bits })
+    });
+    rows.collect()
 }

@@ -3,9 +3,11 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 use super::Options;
 use super::axes::{Placed, placed};
+use super::item::{Item, Space};
 use super::measured::{self, Measured};
 use super::names::{Names, camel, snake};
 use super::types::{Primitive, Types};
@@ -26,7 +28,6 @@ const RESERVED: &[&str] = &[
     "Bit7",
     "BitField",
     "BringUp",
-    "Carries",
     "Command",
     "Condition",
     "Constant",
@@ -39,6 +40,7 @@ const RESERVED: &[&str] = &[
     "ErrorInfo",
     "ErrorRange",
     "Events",
+    "Family",
     "HomingBits",
     "Inputs",
     "Int24",
@@ -49,6 +51,7 @@ const RESERVED: &[&str] = &[
     "MappedPdo",
     "Mapping",
     "MappingObject",
+    "Members",
     "Mode",
     "ModeChange",
     "ModeOfOperation",
@@ -93,6 +96,14 @@ pub(super) struct Scope<'a> {
     pub(super) runtime: &'a TokenStream,
     /// The type that stands for the device.
     pub(super) marker: Ident,
+    /// The type that its entries and its process data belong to: the device, or its family.
+    pub(super) owner: Ident,
+    /// Its place in its family.
+    pub(super) member: u16,
+    /// The units that members of the family do not have in common.
+    pub(super) unlike: BTreeSet<&'a str>,
+    /// The visibility of what the modules of a family share that is nobody else's: from two modules up, and from one.
+    pub(super) within: (TokenStream, TokenStream),
     /// Whether the type is declared beside the module.
     pub(super) marker_is_outside: bool,
     /// Whether something of the device is there for each axis.
@@ -106,7 +117,8 @@ pub(super) struct Scope<'a> {
 }
 
 impl<'a> Scope<'a> {
-    pub(super) fn new(device: &'a Device, options: &'a Options) -> Self {
+    /// A device that is alone, or a member of a family at a place.
+    pub(super) fn new(device: &'a Device, member: Option<u16>, options: &'a Options) -> Self {
         let objects = placed(&device.objects, device);
         let pdos = placed(&device.pdos, device);
         let has_axes =
@@ -120,11 +132,38 @@ impl<'a> Scope<'a> {
         let marker = if options.device.is_some() { wanted } else { names.claim(&wanted) };
         let types = Types::of(device, &mut names);
         let (runtime, marker_is_outside) = (&options.runtime, options.device.is_some());
-        Self { device, runtime, marker, marker_is_outside, has_axes, objects, pdos, types, units }
+        let (owner, within) = match member {
+            Some(_) => (format_ident!("Family"), (quote!(pub(in super::super)), quote!(pub(super)))),
+            None => (marker.clone(), Default::default()),
+        };
+        let (member, unlike) = (member.unwrap_or(0), BTreeSet::new());
+        Self {
+            device,
+            runtime,
+            marker,
+            owner,
+            member,
+            unlike,
+            within,
+            marker_is_outside,
+            has_axes,
+            objects,
+            pdos,
+            types,
+            units,
+        }
+    }
+
+    /// An item that is there for each axis, so far apart, or for the device.
+    pub(super) fn placed<'s>(&'s self, item: Item<'s>, shift: Option<u16>) -> Item<'s> {
+        match shift {
+            Some(shift) => item.told(shift).of(&self.device.axes).using(Space::Root, &format_ident!("Axis")),
+            None => item,
+        }
     }
 
     /// The runtime's types of numbers that the device has.
-    pub(super) fn widths(&self) -> Vec<TokenStream> {
+    pub(super) fn widths(&self) -> BTreeSet<Primitive> {
         let entries = self.device.objects.iter().flat_map(|object| &object.entries);
         let mapped = self.device.pdos.iter().flat_map(|pdo| &pdo.entries);
         let of_entries = entries.map(|entry| Primitive::of(entry.data_type));
@@ -132,9 +171,7 @@ impl<'a> Scope<'a> {
         let of_mapped = mapped
             .filter(|mapped| mapped.address.is_some_and(is_absent))
             .map(|mapped| mapped.data_type.map_or_else(|| Primitive::of_bits(mapped.bits), Primitive::of));
-        let widths: BTreeSet<Primitive> =
-            of_entries.chain(of_mapped).filter(|primitive| !primitive.is_native()).collect();
-        widths.into_iter().map(Primitive::tokens).collect()
+        of_entries.chain(of_mapped).filter(|primitive| !primitive.is_native()).collect()
     }
 
     /// The names of the axes, as variants and as variables.

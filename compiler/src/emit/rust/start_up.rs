@@ -1,31 +1,53 @@
 //! Bring-up: what of the device bears on it, and the start-up list of each configuration that is described.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 use super::axes;
 use super::chosen;
 use super::doc::{Doc, sentence};
+use super::item::{Item, Reach};
 use super::literal::{hex8, hex16, number, option};
 use super::names::{Names, shout};
 use super::scope::Scope;
-use crate::model::{Configuration, Index, SdoWrite};
+use super::sync_managers;
+use crate::model::{Configuration, Direction, Index, SdoWrite};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    let marker = &scope.marker;
+/// What of the device bears on its bring-up, and its family if it is alone.
+pub(super) fn bring_up<'s>(scope: &'s Scope<'_>) -> Item<'s> {
+    Item::new(format_ident!("BRING_UP"), || constant(scope)).reaching(Reach::Own)
+}
+
+fn constant(scope: &Scope<'_>) -> (Doc, TokenStream) {
+    let (name, member) = (&scope.device.name, number(scope.member));
     let maps = scope.device.mailbox.as_ref().is_none_or(|mailbox| mailbox.pdo_config);
     let objects = scope.device.axes.iter().map(|axis| {
         let (mode, cycle) = (on_axis(scope, 0x6060, axis.number), on_axis(scope, 0x60C2, axis.number));
         quote!(AxisObjects { mode: #mode, cycle: #cycle })
     });
-    let configurations = (!scope.device.configurations.is_empty()).then(|| configurations(scope));
-    quote! {
-        impl BringUp for #marker {
-            const MAPS: bool = #maps;
-            const AXES: &'static [AxisObjects] = &[#(#objects),*];
-        }
+    let ways = [Direction::Rx, Direction::Tx];
+    let [outputs, inputs] = ways.map(|way| option(sync_managers::value(scope, way)));
+    let code = quote! {
+        pub const BRING_UP: BringUp = BringUp {
+            name: #name,
+            member: #member,
+            outputs: #outputs,
+            inputs: #inputs,
+            maps: #maps,
+            axes: &[#(#objects),*],
+        };
+    };
+    let doc = Doc::new("What of the device bears on its bring-up, and on what process data it takes.");
+    (ways.into_iter().fold(doc, |doc, way| sync_managers::said(scope, way, doc)), code)
+}
 
-        #configurations
+/// The family of a device that is alone.
+pub(super) fn family(scope: &Scope<'_>) -> TokenStream {
+    let (runtime, marker) = (scope.runtime, &scope.marker);
+    quote! {
+        impl #runtime::Family for #marker {
+            const MEMBERS: &'static [BringUp] = &[BRING_UP];
+        }
     }
 }
 
@@ -37,36 +59,25 @@ fn on_axis(scope: &Scope<'_>, first: u16, axis: u8) -> TokenStream {
     option(object.map(|object| hex16(object.index.0)))
 }
 
-fn configurations(scope: &Scope<'_>) -> TokenStream {
+/// The start-up lists of the choices that are described, and the process data that there is then.
+pub(super) fn configurations<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
     let mut names = Names::default();
     let lists = scope.device.configurations.iter().map(|configuration| {
         let name = names.claim(&shout(&configuration.id));
-        list(scope, configuration, &name)
+        Item::new(name.clone(), move || list(scope, configuration, &name)).of(configuration)
     });
-    let images =
-        scope.device.configurations.iter().filter_map(|configuration| chosen::module(scope, configuration));
-    quote! {
-        /// Start-up lists of the choices that are described, what to write in order, and the process data that there is
-        /// then.
-        pub mod configurations {
-            use super::*;
-            #(#lists)*
-            #(#images)*
-        }
-    }
+    let images = scope.device.configurations.iter().filter_map(|it| chosen::item(scope, it));
+    lists.chain(images).collect()
 }
 
-fn list(scope: &Scope<'_>, configuration: &Configuration, name: &proc_macro2::Ident) -> TokenStream {
+fn list(scope: &Scope<'_>, configuration: &Configuration, name: &Ident) -> (Doc, TokenStream) {
     let doc = Doc::new(sentence(&configuration.name))
         .maybe(configuration.about.as_deref())
         .text(&configuration.cycle_time.map(|time| cycle(time.0)).unwrap_or_default())
         .said(configuration.source.as_ref(), &configuration.origin, scope.device);
     let count = number(configuration.startup.len());
     let writes = configuration.startup.iter().map(write);
-    quote! {
-        #doc
-        pub const #name: [Write; #count] = [#(#writes),*];
-    }
+    (doc, quote!(pub const #name: [Write; #count] = [#(#writes),*];))
 }
 
 fn cycle(ns: u64) -> String {

@@ -1,20 +1,30 @@
 //! The states of the drive and how it goes from one to another.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::doc::{Doc, escape, place};
+use super::item::Item;
 use super::literal::{hex16, line, number, parsed};
 use super::names::camel;
 use super::scope::Scope;
 use crate::model::{Device, Scope as Axes, State, Transition};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
     let device = scope.device;
-    let patterns = (!device.states.is_empty()).then(|| (patterns(device), texts(device)));
-    let (patterns, texts) = patterns.unzip();
-    let transitions = (!device.transitions.is_empty()).then(|| transitions(device));
-    quote!(#patterns #texts #transitions)
+    let patterns = || Item::new(format_ident!("STATES"), || patterns(device)).of(&device.states);
+    let texts = || Item::new(format_ident!("state_text"), || texts(device)).of(&device.states);
+    let transitions = || {
+        let item = Item::new(format_ident!("TRANSITIONS"), || transitions(device));
+        item.of(&device.states).of(&device.transitions)
+    };
+    let has_texts = device.states.iter().any(|one| state(&one.id).is_some() && !text(one).is_empty());
+    let items = [
+        (!device.states.is_empty()).then(patterns),
+        has_texts.then(texts),
+        (!device.transitions.is_empty()).then(transitions),
+    ];
+    items.into_iter().flatten().collect()
 }
 
 /// The runtime's name of a state.
@@ -22,7 +32,7 @@ pub(super) fn state(id: &str) -> Option<Ident> {
     State::OF_PROFILE.contains(&id).then(|| camel(id))
 }
 
-fn patterns(device: &Device) -> TokenStream {
+fn patterns(device: &Device) -> (Doc, TokenStream) {
     let row = |one: &State| {
         let (name, pattern) = (state(&one.id)?, one.pattern.as_ref()?);
         let (mask, value) = (hex16(pattern.mask()), hex16(pattern.value()));
@@ -37,14 +47,11 @@ fn patterns(device: &Device) -> TokenStream {
         let text = escape(&format!("{}{source}", text(state)));
         doc.text(&format!("*{}*{pattern}: {text}", escape(&state.name)))
     });
-    quote! {
-        #doc
-        pub const STATES: StatePatterns = StatePatterns(&[#(#rows),*]);
-    }
+    (doc, quote!(pub const STATES: StatePatterns = StatePatterns(&[#(#rows),*]);))
 }
 
 /// What the description says of the states.
-fn texts(device: &Device) -> TokenStream {
+fn texts(device: &Device) -> (Doc, TokenStream) {
     let arms: Vec<TokenStream> = device
         .states
         .iter()
@@ -52,20 +59,17 @@ fn texts(device: &Device) -> TokenStream {
         .filter(|(_, text)| !text.is_empty())
         .map(|(name, text)| quote!(State::#name => #text,))
         .collect();
-    if arms.is_empty() {
-        return TokenStream::new();
-    }
     let rest = (arms.len() < State::OF_PROFILE.len()).then(|| quote!(_ => "",));
     let text = parsed("&'static str");
-    quote! {
-        /// What the description says of a state; empty if nothing.
+    let code = quote! {
         pub const fn state_text(state: State) -> #text {
             match state {
                 #(#arms)*
                 #rest
             }
         }
-    }
+    };
+    (Doc::new("What the description says of a state; empty if nothing."), code)
 }
 
 /// What a state means and what holds in it.
@@ -74,7 +78,7 @@ fn text(state: &State) -> String {
     line(&parts.map(String::as_str).collect::<Vec<_>>().join(" "))
 }
 
-fn transitions(device: &Device) -> TokenStream {
+fn transitions(device: &Device) -> (Doc, TokenStream) {
     let supported = device.transitions.iter().filter(|transition| transition.supported);
     let rows = supported.clone().filter_map(|one| transition(device, one));
     let doc = Doc::new(
@@ -82,15 +86,15 @@ fn transitions(device: &Device) -> TokenStream {
     );
     let told = supported.filter_map(|one| Some((one, one.about.as_deref()?)));
     let doc = told.fold(doc, |doc, (one, about)| doc.text(&format!("*{}*: {}", one.number, escape(about))));
-    quote! {
-        #doc
+    let code = quote! {
         pub const TRANSITIONS: &[Transition] = {
             const fn transition(number: u8, from: &[State], to: State, coupling: Coupling) -> Transition {
                 Transition { number, from: StateSet::of(from), to, coupling }
             }
             &[#(#rows),*]
         };
-    }
+    };
+    (doc, code)
 }
 
 fn transition(device: &Device, transition: &Transition) -> Option<TokenStream> {

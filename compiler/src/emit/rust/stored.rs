@@ -83,6 +83,12 @@ impl<'a> Stored<'a> {
         self.entries.iter().map(|first| (*first, object.entry(first.address.subindex).unwrap_or(first)))
     }
 
+    /// The subindices that are kept.
+    pub(super) fn subindices(&self) -> String {
+        let kept = self.entries.iter().map(|entry| entry.address.subindex.to_string());
+        kept.collect::<Vec<_>>().join(" ")
+    }
+
     /// Whether each axis has it.
     pub(super) fn is_of_axis(&self) -> bool {
         self.placed.shift.is_some()

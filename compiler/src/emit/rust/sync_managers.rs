@@ -8,35 +8,33 @@ use super::literal::{hex16, number, option};
 use super::scope::Scope;
 use crate::model::{Carried, Direction, Index, Role};
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    [Direction::Rx, Direction::Tx].into_iter().filter_map(|way| item(scope, way)).collect()
-}
-
 /// What the sync managers of a direction carry together.
-fn item(scope: &Scope<'_>, way: Direction) -> Option<TokenStream> {
-    let first = scope.device.sync_manager(Role::of(way))?;
+pub(super) fn value(scope: &Scope<'_>, way: Direction) -> Option<TokenStream> {
     let Carried { default, assignable, slots, max_size, mandatory, exclusive } = scope.device.carried(way)?;
-    let (marker, direction) = (&scope.marker, super::pdos::direction(way));
     let (default, mandatory) = (default.iter().map(hex), mandatory.iter().map(hex));
     let (slots, max_size) = (number(slots), option(max_size.map(number)));
     let pairs = exclusive.iter().map(|pair| {
         let pair = pair.iter().map(hex);
         quote!([#(#pair),*])
     });
-    let doc = Doc::default().said(first.source.as_ref(), &first.origin, scope.device);
     Some(quote! {
-        #doc
-        impl Carries<#direction> for #marker {
-            const SYNC_MANAGER: SyncManager = SyncManager {
-                default: &[#(#default),*],
-                assignable: #assignable,
-                slots: #slots,
-                max_size: #max_size,
-                mandatory: &[#(#mandatory),*],
-                exclusive: &[#(#pairs),*],
-            };
+        SyncManager {
+            default: &[#(#default),*],
+            assignable: #assignable,
+            slots: #slots,
+            max_size: #max_size,
+            mandatory: &[#(#mandatory),*],
+            exclusive: &[#(#pairs),*],
         }
     })
+}
+
+/// Where the facts about the sync manager of a direction are from.
+pub(super) fn said(scope: &Scope<'_>, way: Direction, doc: Doc) -> Doc {
+    match scope.device.sync_manager(Role::of(way)) {
+        Some(manager) => doc.said(manager.source.as_ref(), &manager.origin, scope.device),
+        None => doc,
+    }
 }
 
 fn hex(index: &Index) -> Literal {

@@ -1,10 +1,11 @@
 //! Units as types of what they measure, or as bare scales where they count something of the device's own.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::axes::Placed;
 use super::doc::{Doc, escape, sentence};
+use super::item::{Item, Space};
 use super::literal::grouped;
 use super::measure::Means;
 use super::measured::{Constant, Measured};
@@ -13,18 +14,16 @@ use super::scope::Scope;
 use super::types::ValueType;
 use crate::model::{AxisUnit, Entry, Object, Path, Unit};
 
-pub(super) fn module(scope: &Scope<'_>) -> TokenStream {
-    if scope.units.is_empty() {
-        return TokenStream::new();
-    }
-    let units = scope.units.iter().map(|measured| items(scope, measured));
-    quote! {
-        /// What raw values mean, and how to come from physical values to raw ones.
-        pub mod units {
-            use super::*;
-            #(#units)*
-        }
-    }
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
+    scope.units.iter().flat_map(|measured| items_of(scope, measured)).collect()
+}
+
+/// The item with the unit of an entry, and the items that its constant may name.
+pub(super) fn named<'s>(scope: &'s Scope<'_>, entry: &Entry, item: Item<'s>) -> Item<'s> {
+    let unit = entry.unit.as_ref().and_then(|id| scope.device.unit(id));
+    let measured = unit.and_then(|unit| scope.units.iter().find(|measured| measured.unit.id == unit.id));
+    let names = measured.into_iter().flat_map(Measured::names);
+    item.each(unit, |item, unit| item.of(unit)).each(names, |item, name| item.using(Space::Units, name))
 }
 
 /// What an entry measures, and the place of its unit; none if its value is no number or in another unit on another axis.
@@ -45,28 +44,34 @@ pub(super) fn of_entry(
 
 /// A constant for all axes that measure the same: none of them can be taken for an axis that measures something else.
 /// And where axes differ, what each of them has.
-fn items(scope: &Scope<'_>, measured: &Measured<'_>) -> TokenStream {
+fn items_of<'s>(scope: &'s Scope<'_>, measured: &'s Measured<'_>) -> Vec<Item<'s>> {
     let is_one = measured.constants.len() == 1;
+    let with_axes = |item: Item<'s>| if is_one { item } else { item.of(&scope.device.axes) };
     let constants = measured.constants.iter().map(|constant| {
-        let step = format!("a step is {}", escape(&step(constant.first)));
-        let of_axes = if is_one { String::new() } else { format!(" of {}", axes(scope, constant)) };
-        let doc = doc(scope, measured.unit, &of_axes, &step);
-        let (name, ty, value) = (&constant.name, constant.means.unit(&scope.marker), value(constant));
-        quote!(#doc pub const #name: #ty = #value;)
+        let item = Item::new(constant.name.clone(), move || {
+            let step = format!("a step is {}", escape(&step(constant.first)));
+            let of_axes = if is_one { String::new() } else { format!(" of {}", axes(scope, constant)) };
+            let doc = doc(scope, measured.unit, &of_axes, &step);
+            let (name, ty, value) = (&constant.name, constant.means.unit(&scope.owner), value(constant));
+            (doc, quote!(pub const #name: #ty = #value;))
+        });
+        with_axes(item.of(measured.unit))
     });
-    let function = function(scope, measured);
-    quote!(#(#constants)* #function)
+    let function = measured.of_axis.as_ref().map(|(name, means)| {
+        let item = Item::new(name.clone(), move || function(scope, measured, name, *means));
+        scope.placed(with_axes(item.of(measured.unit)), Some(0))
+    });
+    constants.chain(function).collect()
 }
 
 /// The function of the axis, where axes differ.
-fn function(scope: &Scope<'_>, measured: &Measured<'_>) -> Option<TokenStream> {
-    let (name, means) = measured.of_axis.as_ref()?;
+fn function(scope: &Scope<'_>, measured: &Measured<'_>, name: &Ident, means: Means) -> (Doc, TokenStream) {
     let steps = measured
         .constants
         .iter()
         .map(|constant| format!("{} on {}", escape(&step(constant.first)), axes(scope, constant)));
     let steps = format!("a step is {}", steps.collect::<Vec<_>>().join(", "));
-    let (doc, ty) = (doc(scope, measured.unit, " of an axis", &steps), means.unit(&scope.marker));
+    let (doc, ty) = (doc(scope, measured.unit, " of an axis", &steps), means.unit(&scope.owner));
     let idents = scope.axis_idents();
     let arms = measured.constants.iter().map(|constant| {
         let axes = constant.axes.iter().filter_map(|axis| idents.get(*axis)).map(|(axis, _)| axis);
@@ -78,12 +83,12 @@ fn function(scope: &Scope<'_>, measured: &Measured<'_>) -> Option<TokenStream> {
         };
         quote!(#(Axis::#axes)|* => #unit,)
     });
-    Some(quote! {
-        #doc
+    let code = quote! {
         pub const fn #name(axis: Axis) -> #ty {
             match axis { #(#arms)* }
         }
-    })
+    };
+    (doc, code)
 }
 
 fn value(constant: &Constant<'_>) -> TokenStream {

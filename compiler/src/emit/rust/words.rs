@@ -4,7 +4,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::doc::{Doc, escape, sentence};
-use super::literal::{self, number, parsed};
+use super::item::{Item, Space};
+use super::literal::{self, number};
 use super::names::{Names, snake};
 use super::scope::Scope;
 use crate::model::{Field, Mode, Word};
@@ -12,38 +13,55 @@ use crate::model::{Field, Mode, Word};
 /// Names that words have besides their bits.
 const RESERVED: &[&str] = &["state", "to_bytes", "from_bytes", "from_slice", "clone", "eq", "fmt", "hash"];
 
-pub(super) fn items(scope: &Scope<'_>) -> TokenStream {
-    scope.device.words.iter().filter_map(|one| word(scope, one)).collect()
+pub(super) fn items<'s>(scope: &'s Scope<'_>) -> Vec<Item<'s>> {
+    scope.device.words.iter().filter_map(|one| item(scope, one)).collect()
+}
+
+fn item<'s>(scope: &'s Scope<'_>, one: &'s Word) -> Option<Item<'s>> {
+    let name = scope.types.newtype(one.address)?;
+    let item = Item::new(name.clone(), move || word(scope, one, name)).of(one).told(is_written(scope, one));
+    let item = match one.address.index.0 {
+        0x6040 | 0x6041 => item.of(&scope.device.modes),
+        _ => item,
+    };
+    Some(match shows_state(scope, one) {
+        true => item.of(&scope.device.states).using(Space::Root, &format_ident!("STATES")),
+        false => item,
+    })
+}
+
+/// Whether it is the statusword of a drive that has states.
+fn shows_state(scope: &Scope<'_>, word: &Word) -> bool {
+    word.address == super::types::address(0x6041) && !scope.device.states.is_empty()
 }
 
 /// A struct around the number with a method for each bit that has a meaning.
-fn word(scope: &Scope<'_>, word: &Word) -> Option<TokenStream> {
-    let (runtime, name) = (scope.runtime, scope.types.newtype(word.address)?);
+fn word(scope: &Scope<'_>, word: &Word, name: &Ident) -> (Doc, TokenStream) {
+    let runtime = scope.runtime;
     let number = format_ident!("u{}", word.bits.next_power_of_two().max(8));
     let doc = Doc::new(format!("`{}` {}", word.address.index, sentence(&word.name)))
         .maybe(word.about.as_deref())
         .said(word.source.as_ref(), &word.origin, scope.device);
-    let mut bits =
-        Bits { number: &number, is_written: is_written(scope, word), names: Names::with(RESERVED) };
+    let mut bits = Bits { is_written: is_written(scope, word), names: Names::with(RESERVED) };
     let general = word.fields.iter().filter(|field| !field.reserved && !field.per_mode);
-    let mut methods: Vec<TokenStream> = general.map(|field| bits.methods(field, None)).collect();
-    methods.extend(of_modes(scope, word, &mut bits));
-    let shows_state = word.address == super::types::address(0x6041) && !scope.device.states.is_empty();
-    let (state, display) = (shows_state.then(state), display(scope, word, name, shows_state));
-    Some(quote! {
-        #doc
+    let mut fields: Vec<TokenStream> = general.map(|field| bits.line(field, None)).collect();
+    fields.extend(of_modes(scope, word, &mut bits));
+    let shows_state = shows_state(scope, word);
+    let state = shows_state.then(|| state(name));
+    let fields = (!fields.is_empty()).then(|| quote!(#runtime::bits! { #name: #number; #(#fields)* }));
+    let display = display(scope, word, name, shows_state);
+    let code = quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
         pub struct #name(pub #number);
 
-        impl #name {
-            #state
-            #(#methods)*
-        }
+        #state
+        #fields
 
         #display
 
         #runtime::value!(#name as #number);
-    })
+    };
+    (doc, code)
 }
 
 /// The bits of the statusword that show the state (CiA 402, statusword); a drive may use others as well, and they are told
@@ -76,17 +94,19 @@ fn display(scope: &Scope<'_>, word: &Word, name: &Ident, shows_state: bool) -> T
     }
 }
 
-fn state() -> TokenStream {
+fn state(name: &Ident) -> TokenStream {
     quote! {
-        /// The state that the word shows.
-        pub fn state(self) -> Result<State, UnknownState> {
-            STATES.decode(self.0)
+        impl #name {
+            /// The state that the word shows.
+            pub fn state(self) -> Result<State, UnknownState> {
+                STATES.decode(self.0)
+            }
         }
     }
 }
 
 /// The bits that modes give a meaning to, named after the mode.
-fn of_modes(scope: &Scope<'_>, word: &Word, methods: &mut Bits<'_>) -> Vec<TokenStream> {
+fn of_modes(scope: &Scope<'_>, word: &Word, lines: &mut Bits) -> Vec<TokenStream> {
     let mut all = Vec::new();
     for mode in &scope.device.modes {
         let bits = match word.address.index.0 {
@@ -95,7 +115,7 @@ fn of_modes(scope: &Scope<'_>, word: &Word, methods: &mut Bits<'_>) -> Vec<Token
             _ => continue,
         };
         let fields = bits.iter().filter(|field| !field.reserved);
-        all.extend(fields.map(|field| methods.methods(field, Some(mode))));
+        all.extend(fields.map(|field| lines.line(field, Some(mode))));
     }
     all
 }
@@ -105,57 +125,27 @@ fn is_written(scope: &Scope<'_>, word: &Word) -> bool {
     scope.device.entry(word.address).is_some_and(|entry| entry.access.writable())
 }
 
-/// The methods of a word's bits.
-struct Bits<'a> {
-    number: &'a Ident,
+/// The fields of a word.
+struct Bits {
     is_written: bool,
     names: Names,
 }
 
-impl Bits<'_> {
-    fn methods(&mut self, field: &Field, mode: Option<&Mode>) -> TokenStream {
-        let getter = self.getter(field, mode);
-        let setter = self.is_written.then(|| self.setter(field, mode));
-        quote!(#getter #setter)
-    }
-
-    fn getter(&mut self, field: &Field, mode: Option<&Mode>) -> TokenStream {
-        let name = self.names.claim(&snake(&format!("{} {}", id(mode), field.id)));
-        let (doc, number, low) = (doc(field, mode), self.number, literal::number(field.low));
-        if field.width() == 1 {
-            return quote!(#doc pub const fn #name(self) -> bool { self.0 & 1 << #low != 0 });
-        }
-        let mask = mask(field);
-        quote!(#doc pub const fn #name(self) -> #number { self.0 >> #low & #mask })
-    }
-
-    fn setter(&mut self, field: &Field, mode: Option<&Mode>) -> TokenStream {
-        let name = self.names.claim(&snake(&format!("with {} {}", id(mode), field.id)));
-        let (number, low) = (self.number, literal::number(field.low));
-        let (argument, mask, value) = if field.width() == 1 {
-            (quote!(on: bool), quote!(1), quote!((on as #number)))
-        } else {
-            let mask = mask(field);
-            (quote!(value: #number), mask.clone(), quote!((value & #mask)))
-        };
-        let doc = Doc::new(format!("The word with {} as given.", place(field)));
-        quote! {
-            #doc
-            #[must_use]
-            pub const fn #name(self, #argument) -> Self {
-                Self(self.0 & !(#mask << #low) | #value << #low)
-            }
-        }
+impl Bits {
+    /// The line of a field: how it is read, how it is written, and where it is.
+    fn line(&mut self, field: &Field, mode: Option<&Mode>) -> TokenStream {
+        let getter = self.names.claim(&snake(&format!("{} {}", id(mode), field.id)));
+        let setter =
+            self.is_written.then(|| self.names.claim(&snake(&format!("with {} {}", id(mode), field.id))));
+        let setter = setter.into_iter();
+        let (doc, low) = (doc(field, mode), literal::number(field.low));
+        let last = (field.width() > 1).then(|| literal::number(field.high)).into_iter();
+        quote!(#doc #getter #(, #setter)*: #low #(to #last)*;)
     }
 }
 
 fn id(mode: Option<&Mode>) -> &str {
     mode.map(|mode| mode.id.as_str()).unwrap_or_default()
-}
-
-/// As many ones as the field is wide.
-fn mask(field: &Field) -> TokenStream {
-    parsed(&format!("0x{:X}", field.mask() >> field.low))
 }
 
 fn place(field: &Field) -> String {

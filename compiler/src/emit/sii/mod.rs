@@ -19,6 +19,7 @@ pub struct Sii;
 const LINTS: &[&Rule] = &[
     &rules::contradicted_config_data::RULE,
     &rules::empty_name::RULE,
+    &rules::impossible_boot_mailbox::RULE,
     &rules::impossible_eeprom_size::RULE,
     &rules::missing_config_data::RULE,
     &rules::overlong_name::RULE,

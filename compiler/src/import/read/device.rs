@@ -1,9 +1,9 @@
 //! A device: identity, mailbox, clocks, EEPROM.
 
 use super::element::{At, Element};
-use super::esi::{Device, Eeprom, Head, InitCmd, Mailbox, OpMode, Signal, Timeout};
+use super::esi::{Alternative, Device, Eeprom, Head, InitCmd, Mailbox, ModeManager, OpMode, Signal, Timeout};
 use super::number::{bytes, number, truth};
-use super::{dictionary, process_data, words};
+use super::{diagnosis, dictionary, process_data, words};
 
 pub(super) fn head(device: &Element<'_>) -> Head {
     let kind = device.child("Type");
@@ -35,6 +35,10 @@ pub(super) fn device(device: &Element<'_>) -> Device {
     let (objects, excess) = dictionary.map(dictionary::objects).unwrap_or_default();
     Device {
         head: head(device),
+        names: words::others(device, "Name"),
+        url: words::name(device, "URL"),
+        urls: words::others(device, "URL"),
+        ebus_current: device.child("Info").and_then(ebus_current),
         group: device.child("GroupType").map(|group| group.text().to_owned()),
         physics: device.attribute("Physics").map(str::to_owned),
         profile,
@@ -48,10 +52,18 @@ pub(super) fn device(device: &Element<'_>) -> Device {
         replaces: device.all("HideType").filter_map(|it| it.attribute_as("RevisionNo", number)).collect(),
         sync_units: device.all("Su").map(|it| it.text().to_owned()).collect(),
         op_modes: device.child("Dc").into_iter().flat_map(|dc| dc.all("OpMode")).map(op_mode).collect(),
+        alternatives: alternatives(device),
         eeprom: device.child("Eeprom").map(eeprom),
+        slots: Vec::new(),
+        hides_mapping: false,
         objects,
+        messages: profiles.iter().flat_map(|profile| diagnosis::messages(profile)).collect(),
         excess,
     }
+}
+
+fn ebus_current(info: &Element<'_>) -> Option<i32> {
+    info.child("Electrical")?.child_as("EBusCurrent", number)
 }
 
 /// How long a master waits, by the keys of a description.
@@ -128,7 +140,36 @@ fn op_mode(element: &Element<'_>) -> OpMode {
         assign_activate: element.child_as("AssignActivate", number).unwrap_or(0),
         sync0: signal(element, "CycleTimeSync0", "ShiftTimeSync0"),
         sync1: signal(element, "CycleTimeSync1", "ShiftTimeSync1"),
+        managers: mode_managers(element),
     }
+}
+
+/// What the sync managers do; a file may say it of one in several pieces.
+fn mode_managers(mode: &Element<'_>) -> Vec<ModeManager> {
+    let mut managers: Vec<ModeManager> = Vec::new();
+    for manager in mode.all("Sm").filter_map(mode_manager) {
+        match managers.iter_mut().find(|known| known.number == manager.number) {
+            Some(known) => {
+                known.pdos.extend(manager.pdos);
+                known.sync_type = known.sync_type.or(manager.sync_type);
+            }
+            None => managers.push(manager),
+        }
+    }
+    managers
+}
+
+fn mode_manager(element: &Element<'_>) -> Option<ModeManager> {
+    let pdos = element.all("Pdo").filter_map(|pdo| {
+        let factor = pdo.attribute_as("OSFac", number);
+        Some((number(pdo.text())?, factor))
+    });
+    Some(ModeManager {
+        at: element.at(),
+        number: element.attribute_as("No", number)?,
+        sync_type: element.child_as("SyncType", number),
+        pdos: pdos.collect(),
+    })
 }
 
 fn signal(mode: &Element<'_>, cycle: &str, shift: &str) -> Option<Signal> {
@@ -147,7 +188,37 @@ fn signal(mode: &Element<'_>, cycle: &str, shift: &str) -> Option<Signal> {
     })
 }
 
+/// Choices of PDOs, which the standard has no element for: those that TwinCAT offers.
+fn alternatives(device: &Element<'_>) -> Vec<Alternative> {
+    let named =
+        |parent: &'_ Element<'_>, name: &str| parent.children().iter().position(|it| it.name() == name);
+    let has = |info: &Element<'_>| {
+        let own = named(info, "VendorSpecific").and_then(|place| info.children().get(place));
+        let own = own.and_then(|own| own.children().get(named(own, "TwinCAT")?));
+        own.is_some_and(|own| named(own, "AlternativeSmMapping").is_some())
+    };
+    let info = device.child("Info").filter(|info| has(info));
+    let own = info.and_then(|info| info.child("VendorSpecific")).and_then(|own| own.child("TwinCAT"));
+    own.into_iter().flat_map(|own| own.all("AlternativeSmMapping")).filter_map(alternative).collect()
+}
+
+fn alternative(element: &Element<'_>) -> Option<Alternative> {
+    let manager = |sm: &Element<'_>| {
+        let pdos = sm.all("Pdo").filter_map(|pdo| number(pdo.text())).collect();
+        Some((sm.attribute_as("No", number)?, pdos))
+    };
+    // The one that the file calls the default is what is assigned without it.
+    element.attribute("Default");
+    Some(Alternative {
+        at: element.at(),
+        name: words::name(element, "Name")?,
+        managers: element.all("Sm").filter_map(manager).collect(),
+        facts: element.facts(),
+    })
+}
+
 fn eeprom(element: &Element<'_>) -> Eeprom {
     let config_data = element.child_as("ConfigData", bytes).unwrap_or_default();
-    Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data }
+    let bootstrap = element.child_as("BootStrap", bytes).unwrap_or_default();
+    Eeprom { at: element.at(), size: element.child_as("ByteSize", number), config_data, bootstrap }
 }

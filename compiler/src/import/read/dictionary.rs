@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::element::{At, Element};
-use super::esi::{Choice, Datum, Flags, Object, Shape, Value, Written};
+use super::esi::{Choice, Datum, Flags, Object, Property, Shape, Value, Written};
 use super::number::{bytes, number, truth};
 use super::words;
 
@@ -72,7 +72,8 @@ fn data_type<'e, 't>(element: &'e Element<'t>) -> DataType<'e, 't> {
 fn choice(element: &Element<'_>) -> Option<Choice> {
     let value = element.child_as("Enum", number)?;
     let name = words::name(element, "Text")?;
-    Some(Choice { value, name, comment: words::name(element, "Comment") })
+    let names = words::others(element, "Text");
+    Some(Choice { value, name, names, comment: words::name(element, "Comment") })
 }
 
 fn object(element: &Element<'_>, types: &Types<'_, '_>) -> Option<Object> {
@@ -85,8 +86,10 @@ fn object(element: &Element<'_>, types: &Types<'_, '_>) -> Option<Object> {
         at: element.at(),
         index,
         name: words::name(element, "Name"),
+        names: words::others(element, "Name"),
         comment: words::name(element, "Comment"),
         flags: own.clone(),
+        properties: element.child("Properties").map(properties).unwrap_or_default(),
         ..Object::default()
     };
     let info = element.child("Info");
@@ -141,7 +144,11 @@ fn members(composite: &DataType<'_, '_>, own: &Flags, types: &Types<'_, '_>) -> 
         let Some((array, (first, elements))) = array else {
             let value = basic(item, type_name, bits, types);
             let next = u8::try_from(found.len()).unwrap_or(u8::MAX);
-            found.push(Value { subindex: subindex.unwrap_or(next), name, comment, flags, ..value });
+            let names = words::others(item, "DisplayName");
+            let display_name = words::name(item, "DisplayName");
+            let subindex = subindex.unwrap_or(next);
+            let properties = properties(item);
+            found.push(Value { subindex, name, names, display_name, comment, flags, properties, ..value });
             continue;
         };
         shape = Shape::Array;
@@ -164,6 +171,18 @@ fn members(composite: &DataType<'_, '_>, own: &Flags, types: &Types<'_, '_>) -> 
         }
     }
     (shape, found)
+}
+
+/// What the vendor's tools are told: names with values.
+fn properties(parent: &Element<'_>) -> Vec<Property> {
+    let property = |element: &Element<'_>| {
+        Some(Property {
+            name: element.child("Name")?.text().to_owned(),
+            value: element.child("Value").map(|value| value.text().to_owned()),
+            about: words::name(element, "Desc"),
+        })
+    };
+    parent.all("Property").filter_map(property).collect()
 }
 
 /// Gives each value what `Info` says of it: by name where names are unique, else in order.

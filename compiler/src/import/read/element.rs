@@ -57,6 +57,11 @@ impl<'t> Element<'t> {
         self.text.trim()
     }
 
+    /// The text, without the blanks around it; asking is not reading.
+    pub(super) fn plain(&self) -> &str {
+        self.text.trim()
+    }
+
     /// An attribute, without the blanks around it.
     pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
         let attribute = self.attributes.iter().find(|attribute| attribute.name == name)?;

@@ -3,6 +3,10 @@
 use std::rc::Rc;
 
 use super::element::At;
+use crate::model::Language;
+
+/// A text in other languages than English.
+pub(crate) type Texts = Vec<(Language, String)>;
 
 /// A file.
 #[derive(Debug, Default)]
@@ -25,6 +29,11 @@ pub(crate) struct Head {
 #[derive(Debug, Default)]
 pub(crate) struct Device {
     pub(crate) head: Head,
+    /// Its name in other languages.
+    pub(crate) names: Texts,
+    pub(crate) url: Option<String>,
+    pub(crate) urls: Texts,
+    pub(crate) ebus_current: Option<i32>,
     pub(crate) group: Option<String>,
     pub(crate) physics: Option<String>,
     pub(crate) profile: Option<u32>,
@@ -40,8 +49,15 @@ pub(crate) struct Device {
     /// What the sync units are called, in their order.
     pub(crate) sync_units: Vec<String>,
     pub(crate) op_modes: Vec<OpMode>,
+    /// Choices of PDOs with names.
+    pub(crate) alternatives: Vec<Alternative>,
     pub(crate) eeprom: Option<Eeprom>,
+    /// What the slots or axes are called, if the file says it.
+    pub(crate) slots: Vec<String>,
+    /// Whether it says of no value if it can be mapped.
+    pub(crate) hides_mapping: bool,
     pub(crate) objects: Vec<Object>,
+    pub(crate) messages: Vec<Message>,
     /// The first object that was one too many.
     pub(crate) excess: Option<At>,
 }
@@ -80,6 +96,7 @@ pub(crate) struct Pdo {
     pub(crate) at: At,
     pub(crate) index: u16,
     pub(crate) name: Option<String>,
+    pub(crate) names: Texts,
     pub(crate) fixed: bool,
     pub(crate) mandatory: bool,
     pub(crate) sm: Option<u8>,
@@ -97,6 +114,7 @@ pub(crate) struct PdoEntry {
     pub(crate) subindex: u8,
     pub(crate) bits: u16,
     pub(crate) name: Option<String>,
+    pub(crate) names: Texts,
     pub(crate) data_type: Option<String>,
 }
 
@@ -137,6 +155,18 @@ pub(crate) struct OpMode {
     pub(crate) assign_activate: u16,
     pub(crate) sync0: Option<Signal>,
     pub(crate) sync1: Option<Signal>,
+    pub(crate) managers: Vec<ModeManager>,
+}
+
+/// What a sync manager does in a mode.
+#[derive(Debug, Default)]
+pub(crate) struct ModeManager {
+    pub(crate) at: At,
+    /// Its place among the sync managers.
+    pub(crate) number: u8,
+    pub(crate) sync_type: Option<u16>,
+    /// The PDOs that it carries, and how often each is there.
+    pub(crate) pdos: Vec<(u16, Option<u16>)>,
 }
 
 #[derive(Debug, Default)]
@@ -150,11 +180,35 @@ pub(crate) struct Signal {
     pub(crate) of_inputs: bool,
 }
 
+/// A choice of PDOs with a name.
+#[derive(Debug, Default)]
+pub(crate) struct Alternative {
+    pub(crate) at: At,
+    pub(crate) name: String,
+    /// The PDOs by the place of their sync manager.
+    pub(crate) managers: Vec<(u8, Vec<u16>)>,
+    /// How many facts it is.
+    pub(crate) facts: usize,
+}
+
+/// A message of the diagnosis history.
+#[derive(Debug, Default)]
+pub(crate) struct Message {
+    pub(crate) at: At,
+    pub(crate) text_id: u32,
+    pub(crate) text: String,
+    pub(crate) texts: Texts,
+    pub(crate) class: Option<&'static str>,
+    pub(crate) about: Option<String>,
+    pub(crate) remedy: Option<String>,
+}
+
 #[derive(Debug, Default)]
 pub(crate) struct Eeprom {
     pub(crate) at: At,
     pub(crate) size: Option<u32>,
     pub(crate) config_data: Vec<u8>,
+    pub(crate) bootstrap: Vec<u8>,
 }
 
 /// An object of the dictionary with its type resolved into values.
@@ -163,8 +217,10 @@ pub(crate) struct Object {
     pub(crate) at: At,
     pub(crate) index: u16,
     pub(crate) name: Option<String>,
+    pub(crate) names: Texts,
     pub(crate) comment: Option<String>,
     pub(crate) flags: Flags,
+    pub(crate) properties: Vec<Property>,
     pub(crate) shape: Shape,
     pub(crate) values: Vec<Value>,
 }
@@ -184,6 +240,7 @@ pub(crate) struct Value {
     pub(crate) at: At,
     pub(crate) subindex: u8,
     pub(crate) name: Option<String>,
+    pub(crate) names: Texts,
     /// What tools are to show instead of the name.
     pub(crate) display_name: Option<String>,
     pub(crate) comment: Option<String>,
@@ -192,6 +249,7 @@ pub(crate) struct Value {
     pub(crate) bits: Option<u32>,
     pub(crate) choices: Rc<[Choice]>,
     pub(crate) flags: Flags,
+    pub(crate) properties: Vec<Property>,
     pub(crate) default: Option<Datum>,
     pub(crate) min: Option<Datum>,
     pub(crate) max: Option<Datum>,
@@ -201,7 +259,16 @@ pub(crate) struct Value {
 pub(crate) struct Choice {
     pub(crate) value: i64,
     pub(crate) name: String,
+    pub(crate) names: Texts,
     pub(crate) comment: Option<String>,
+}
+
+/// Something that the vendor's tools are told.
+#[derive(Debug, Default, Clone, PartialEq, Eq)]
+pub(crate) struct Property {
+    pub(crate) name: String,
+    pub(crate) value: Option<String>,
+    pub(crate) about: Option<String>,
 }
 
 /// Who may do what with a value.

@@ -1,23 +1,66 @@
-//! An ESI file as plain structs, whatever its encoding, order and age.
+//! A file as plain structs, whatever its encoding, order and age: an ESI, an EDS, or a list of SDO information.
 
+mod basic_types;
+mod default_image;
 mod device;
+mod diagnosis;
 mod dictionary;
+mod eds;
 mod element;
 mod encoding;
 mod esi;
+mod modules;
 mod number;
 mod parse;
 mod process_data;
+mod sdos;
+mod sheet;
 mod words;
 
 use std::borrow::Cow;
 
+pub(super) use eds::device as sheet_device;
 pub(super) use element::{At, Element, Unread};
 pub(super) use esi::{
-    Choice, Datum, Device, Esi, Fmmu, Head, InitCmd, Mailbox, Object, OpMode, Pdo, PdoEntry, Shape, Signal,
-    Sm, Timeout, Value, Written,
+    Alternative, Choice, Datum, Device, Esi, Fmmu, Head, InitCmd, Mailbox, Message, ModeManager, Object,
+    OpMode, Pdo, PdoEntry, Property, Shape, Signal, Sm, Texts, Timeout, Value, Written,
 };
 pub(super) use number::number;
+pub(super) use sdos::{List, list};
+pub(super) use sheet::Sheet;
+
+/// What a file can be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    /// An ESI file, in XML.
+    Esi,
+    /// An EDS, in sections with keys.
+    Eds,
+    /// What `ethercat sdos` prints.
+    Sdos,
+}
+
+impl Format {
+    /// What a text looks like.
+    pub(super) fn of(text: &str) -> Self {
+        let begin = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with(';'));
+        let is_section = begin.is_some_and(|line| line.starts_with('[') && line.ends_with(']'));
+        match is_section {
+            true => Self::Eds,
+            false if sdos::is_list(text) => Self::Sdos,
+            false => Self::Esi,
+        }
+    }
+
+    /// The key of the document that the facts are from, and what it is.
+    pub(super) fn document(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Esi => ("esi", "EtherCAT slave information"),
+            Self::Eds => ("eds", "Electronic data sheet"),
+            Self::Sdos => ("sdos", "SDO information of a device"),
+        }
+    }
+}
 
 /// The largest file that is read, in bytes; the largest real ones have a tenth of it.
 pub(super) const MAX_SIZE: usize = 64 << 20;
@@ -63,7 +106,12 @@ pub(super) fn head(device: &Element<'_>) -> Head {
     device::head(device)
 }
 
-/// A device.
-pub(super) fn device(device: &Element<'_>) -> Device {
-    device::device(device)
+/// A device with the modules that are in its slots by default.
+pub(super) fn device<'e, 't>(
+    root: &'e Element<'t>,
+    element: &'e Element<'t>,
+) -> (Device, Vec<&'e Element<'t>>) {
+    let mut device = device::device(element);
+    let modules = modules::plug(root, element, &mut device);
+    (device, modules)
 }

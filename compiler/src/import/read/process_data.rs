@@ -35,6 +35,7 @@ pub(super) fn pdo(element: &Element<'_>) -> Option<Pdo> {
         at: element.at(),
         index: element.child_as("Index", number)?,
         name: words::name(element, "Name"),
+        names: words::others(element, "Name"),
         fixed: element.attribute_as("Fixed", truth).unwrap_or(false),
         mandatory: element.attribute_as("Mandatory", truth).unwrap_or(false),
         sm: element.attribute_as("Sm", number),
@@ -51,6 +52,7 @@ fn entry(element: &Element<'_>) -> Option<PdoEntry> {
         subindex: element.child_as("SubIndex", number).unwrap_or(0),
         bits: element.child_as("BitLen", number)?,
         name: words::name(element, "Name"),
+        names: words::others(element, "Name"),
         data_type: element.child("DataType").map(|it| it.text().to_owned()).filter(|it| !it.is_empty()),
     })
 }

@@ -1,17 +1,57 @@
 //! Names that a file gives in several languages.
 
 use super::element::Element;
+use super::esi::Texts;
+use super::number::number;
+use crate::model::Language;
 
 /// English.
 const ENGLISH: &str = "1033";
 
-/// The English name, else the one without a language, else the first. The others stay unread.
+/// The English name, else the one without a language, else the first.
 pub(super) fn name(parent: &Element<'_>, tag: &str) -> Option<String> {
-    let named = || parent.children().iter().filter(|child| child.name() == tag && !child.is_blank());
-    let english = named().find(|child| child.has("LcId", ENGLISH));
-    let plain = || named().find(|child| !child.has_any("LcId"));
-    let chosen = english.or_else(plain).or_else(|| named().next())?;
+    let chosen = chosen(parent, tag)?;
     chosen.attribute("LcId");
-    let text = chosen.text().split_whitespace().collect::<Vec<_>>().join(" ");
-    Some(text)
+    Some(plain(chosen.text()))
+}
+
+/// The names in other languages than the one that is taken for English. What says the same in another language says
+/// nothing; languages that descriptions do not have stay unread.
+pub(super) fn others(parent: &Element<'_>, tag: &str) -> Texts {
+    let Some(chosen) = chosen(parent, tag) else { return Texts::default() };
+    let english = name(parent, tag);
+    let mut texts = Texts::default();
+    for other in named(parent, tag).filter(|other| !std::ptr::eq(*other, chosen)) {
+        let language = other.attribute_as("LcId", language);
+        let Some(language) = language.filter(|language| texts.iter().all(|(known, _)| known != language))
+        else {
+            continue;
+        };
+        let text = plain(other.text());
+        if Some(&text) != english.as_ref() {
+            texts.push((language, text));
+        }
+    }
+    texts
+}
+
+fn language(lcid: &str) -> Option<Language> {
+    number(lcid).and_then(Language::of_lcid)
+}
+
+fn plain(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn named<'e, 't>(
+    parent: &'e Element<'t>,
+    tag: &'e str,
+) -> impl Iterator<Item = &'e Element<'t>> + use<'e, 't> {
+    parent.children().iter().filter(move |child| child.name() == tag && !child.is_blank())
+}
+
+fn chosen<'e, 't>(parent: &'e Element<'t>, tag: &'e str) -> Option<&'e Element<'t>> {
+    let english = named(parent, tag).find(|child| child.has("LcId", ENGLISH));
+    let plain = || named(parent, tag).find(|child| !child.has_any("LcId"));
+    english.or_else(plain).or_else(|| named(parent, tag).next())
 }

@@ -22,6 +22,10 @@ const FIRST: std::ops::RangeInclusive<u16> = 0x6000..=0x67FF;
 #[derive(Debug, Default)]
 pub(super) struct Axes {
     count: u16,
+    /// What they are called.
+    names: Vec<String>,
+    /// Whether the file calls them so.
+    are_named: bool,
     /// Objects of the first axis that all have, with what differs on others, by axis.
     shared: BTreeMap<u16, Vec<(String, Toml)>>,
     /// The first and the last index of each range in which all objects are shared.
@@ -30,7 +34,7 @@ pub(super) struct Axes {
 
 impl Axes {
     /// The axes of a dictionary: as many as have a control word and a status word. None if there are not several.
-    pub(super) fn of(objects: &[Described]) -> Self {
+    pub(super) fn of(objects: &[Described], slots: &[String]) -> Self {
         let at = |index: u16| {
             objects.binary_search_by_key(&index, |it| it.index).ok().and_then(|it| objects.get(it))
         };
@@ -42,17 +46,25 @@ impl Axes {
         if axes.count < 2 {
             return Self::default();
         }
+        let unique: BTreeSet<&String> = slots.iter().collect();
+        axes.are_named = slots.len() == count && unique.len() == count;
+        axes.names = if axes.are_named { slots.to_vec() } else { (0..axes.count).map(letter).collect() };
         for first in objects.iter().filter(|it| FIRST.contains(&it.index)) {
             let others = (1..axes.count)
                 .map(|axis| at(first.index + axis * OBJECTS).and_then(|it| differing(first, it)));
             if let Some(others) = others.collect::<Option<Vec<Keys>>>() {
                 let named = (1..).zip(others).filter(|(_, keys)| !keys.is_empty());
-                let named = named.map(|(axis, keys)| (name(axis), Toml::Table(keys)));
-                axes.shared.insert(first.index, named.collect());
+                let named = named.map(|(axis, keys)| (axes.name(axis), Toml::Table(keys)));
+                let named: Vec<_> = named.collect();
+                axes.shared.insert(first.index, named);
             }
         }
         axes.ranges = axes.ranges(objects);
         axes
+    }
+
+    fn name(&self, axis: u16) -> String {
+        self.names.get(usize::from(axis)).cloned().unwrap_or_default()
     }
 
     fn ranges(&self, objects: &[Described]) -> Vec<(u16, u16)> {
@@ -95,21 +107,24 @@ impl Axes {
     /// `[axes]`.
     pub(super) fn block(&self, objects: &[Described], report: &mut Report) -> Option<Block> {
         let first = objects.iter().find(|it| it.index == 0x6040).filter(|_| self.count > 1)?;
-        report.guess(
-            first.at,
-            "the names of the axes",
-            format!("there are {}, called by letters", self.count),
-        );
+        if !self.are_named {
+            let why = format!("there are {}, called by letters", self.count);
+            report.guess(first.at, "the names of the axes", why);
+        }
         let shifts = self.ranges.iter().map(|(first, last)| {
             let range = Toml::text(format!("0x{first:04X}..=0x{last:04X}"));
             Toml::Table(vec![("range".to_owned(), range), ("by".to_owned(), Toml::Hex(OBJECTS.into(), 3))])
         });
         let keys = vec![
-            ("names".to_owned(), Toml::texts((0..self.count).map(name))),
+            ("names".to_owned(), Toml::texts(&self.names)),
             ("shifts".to_owned(), Toml::List(shifts.collect())),
         ];
         Some(Block {
-            remarks: vec!["the ESI does not name the axes".to_owned()],
+            remarks: if self.are_named {
+                Vec::new()
+            } else {
+                vec!["the file does not name the axes".to_owned()]
+            },
             ..Block::new("axes", None, keys)
         })
     }
@@ -165,7 +180,7 @@ impl Axes {
 }
 
 /// What people call axes of which nothing is known.
-fn name(axis: u16) -> String {
+fn letter(axis: u16) -> String {
     u8::try_from(axis)
         .ok()
         .and_then(|axis| b'A'.checked_add(axis))
@@ -181,12 +196,19 @@ fn differing(first: &Described, other: &Described) -> Option<Keys> {
             .iter()
             .zip(&other.values)
             .all(|(one, other)| one.subindex == other.subindex && one.name == other.name);
-    if first.kind != other.kind || !same_values && first.kind != Kind::Var || first.about != other.about {
+    if first.kind != other.kind
+        || !same_values && first.kind != Kind::Var
+        || first.about != other.about
+        || first.properties != other.properties
+    {
         return None;
     }
     let mut keys = Keys::new();
     if let Some(name) = other.name.as_ref().filter(|name| Some(*name) != first.name.as_ref()) {
         set(&mut keys, "name", Toml::text(name));
+    }
+    if other.names != first.names {
+        set(&mut keys, "names", other.names.clone()?);
     }
     if first.kind != Kind::Var {
         let same = first.category == other.category

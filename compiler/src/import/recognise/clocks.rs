@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use super::super::read::{OpMode, Signal};
+use super::super::read::{ModeManager, OpMode, Pdo, Signal};
 use super::super::report::Report;
 use super::super::toml::{Keys, Toml, set};
 use super::draft::Block;
+use super::sync_managers::{Manager, carries};
 
 /// `[sync-modes]`; the first is the one that masters take.
-pub(super) fn sync_modes(modes: &[OpMode], report: &mut Report) -> Vec<Block> {
+pub(super) fn sync_modes(modes: &[OpMode], carriers: &Carriers<'_>, report: &mut Report) -> Vec<Block> {
     if modes.iter().all(|mode| mode.assign_activate == 0) {
         for mode in modes {
             let why = "no mode of the file uses the clocks, so that there is none to choose";
@@ -24,12 +25,12 @@ pub(super) fn sync_modes(modes: &[OpMode], report: &mut Report) -> Vec<Block> {
             continue;
         }
         let first = blocks.is_empty();
-        blocks.push(block(mode, first, report));
+        blocks.push(block(mode, first, carriers, report));
     }
     blocks
 }
 
-fn block(mode: &OpMode, first: bool, report: &mut Report) -> Block {
+fn block(mode: &OpMode, first: bool, carriers: &Carriers<'_>, report: &mut Report) -> Block {
     let mut keys = Keys::new();
     set(&mut keys, "name", Toml::text(mode.description.as_ref().unwrap_or(&mode.name)));
     set(&mut keys, "assign-activate", Toml::Hex(mode.assign_activate.into(), 3));
@@ -41,7 +42,63 @@ fn block(mode: &OpMode, first: bool, report: &mut Report) -> Block {
             set(&mut keys, name, Toml::Table(self::signal(signal, name, report)));
         }
     }
+    let managers: Keys =
+        mode.managers.iter().filter_map(|manager| carriers.described(manager, report)).collect();
+    if !managers.is_empty() {
+        set(&mut keys, "managers", Toml::Table(managers));
+    }
     Block::new("sync-modes", Some(mode.name.clone()), keys)
+}
+
+/// The sync managers and PDOs that a mode can name.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Carriers<'c> {
+    pub(super) managers: &'c [Manager<'c>],
+    /// What the master sends, and what the device sends.
+    pub(super) pdos: [&'c [&'c Pdo]; 2],
+}
+
+impl<'c> Carriers<'c> {
+    /// The PDOs of the direction of a sync manager.
+    pub(super) fn carried(&self, number: u8) -> &'c [&'c Pdo] {
+        let manager = self.managers.iter().find(|it| it.number == number);
+        manager.map_or(&[], |manager| carries(manager, self.pdos))
+    }
+
+    /// What a mode says of a sync manager.
+    fn described(&self, said: &ModeManager, report: &mut Report) -> Option<(String, Toml)> {
+        let facts = 1 + usize::from(said.sync_type.is_some()) + said.pdos.len();
+        let Some(manager) = self.managers.iter().find(|it| it.number == said.number) else {
+            let why = "there is no such sync manager";
+            report.lose(said.at, facts, format!("Sm {} of an OpMode", said.number), why);
+            return None;
+        };
+        let known = carries(manager, self.pdos);
+        let mut pdos = Vec::new();
+        for (index, factor) in &said.pdos {
+            let text = Toml::text(format!("0x{index:04X}"));
+            match factor {
+                _ if !known.iter().any(|pdo| pdo.index == *index) => {
+                    let what = format!("PDO 0x{index:04X} in an OpMode");
+                    let lost = 1 + usize::from(factor.is_some());
+                    report.lose(said.at, lost, what, "it is none that the sync manager carries");
+                }
+                None => pdos.push(text),
+                Some(factor) => pdos.push(Toml::Table(vec![
+                    ("pdo".to_owned(), text),
+                    ("oversampling".to_owned(), Toml::Integer((*factor).into())),
+                ])),
+            }
+        }
+        let mut keys = Keys::new();
+        if !pdos.is_empty() {
+            set(&mut keys, "pdos", Toml::List(pdos));
+        }
+        if let Some(kind) = said.sync_type {
+            set(&mut keys, "sync-type", Toml::Integer(kind.into()));
+        }
+        Some((manager.key.clone(), Toml::Table(keys)))
+    }
 }
 
 fn signal(signal: &Signal, name: &str, report: &mut Report) -> Keys {

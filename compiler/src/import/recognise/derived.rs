@@ -235,11 +235,18 @@ fn besides(object: &Object, entries: &[&Value], all: Option<Access>, report: &mu
     keys
 }
 
+/// Whether a limit is that of the type, a number without a sign, which says nothing.
+fn is_bound(name: &str, limit: u64, bits: Option<u32>) -> bool {
+    let greatest = bits.filter(|bits| *bits < 64).map(|bits| (1_u64 << bits) - 1);
+    name == "min" && limit == 0 || name == "max" && Some(limit) == greatest
+}
+
 /// The flags and limits of an entry.
 fn extras(value: &Value) -> Keys {
     let mut keys = Keys::new();
     for (name, limit) in [("min", &value.min), ("max", &value.max)] {
-        if let Some(limit) = limit.as_ref().and_then(|datum| integer(&datum.written)) {
+        let limit = limit.as_ref().and_then(|datum| integer(&datum.written));
+        if let Some(limit) = limit.filter(|limit| !is_bound(name, *limit, value.bits)) {
             set(&mut keys, name, Toml::Integer(limit.into()));
         }
     }

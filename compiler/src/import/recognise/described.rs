@@ -13,7 +13,11 @@ pub(super) struct Described {
     pub(super) at: At,
     pub(super) index: u16,
     pub(super) name: Option<String>,
+    /// Its name in other languages.
+    pub(super) names: Option<Toml>,
     pub(super) kind: Kind,
+    /// What the vendor's tools are told.
+    pub(super) properties: Option<Toml>,
     pub(super) about: Option<String>,
     pub(super) category: Option<Toml>,
     /// Its values by subindex.
@@ -44,7 +48,9 @@ pub(super) fn described(object: &Object, report: &mut Report) -> Option<Describe
         at: object.at,
         index: object.index,
         name: object.name.clone(),
+        names: words::in_languages(&object.names),
         kind,
+        properties: words::properties(&object.properties),
         about: object.comment.clone(),
         category: object
             .flags

@@ -25,6 +25,7 @@ pub(crate) struct Draft {
     pub(crate) device: Vec<Block>,
     pub(crate) pdos: Vec<Block>,
     pub(crate) objects: Vec<Block>,
+    pub(crate) diagnosis: Vec<Block>,
     /// What members of a family have of their own.
     pub(crate) members: Vec<Block>,
 }

@@ -22,6 +22,8 @@ pub(in super::super) fn family(members: Vec<(String, String, Draft)>) -> Option<
     shared.pdos = common(&first.pdos, &others.iter().map(|it| it.pdos.as_slice()).collect::<Vec<_>>());
     shared.objects =
         common(&first.objects, &others.iter().map(|it| it.objects.as_slice()).collect::<Vec<_>>());
+    shared.diagnosis =
+        common(&first.diagnosis, &others.iter().map(|it| it.diagnosis.as_slice()).collect::<Vec<_>>());
     let everywhere = |path: &&String| others.iter().all(|other| other.without.contains(path));
     shared.without = first.without.iter().filter(everywhere).cloned().collect();
     let keyed = |draft: &Draft| blocks(draft).filter(|block| block.key.is_some()).count();
@@ -44,7 +46,7 @@ pub(in super::super) fn family(members: Vec<(String, String, Draft)>) -> Option<
 }
 
 fn blocks(draft: &Draft) -> impl Iterator<Item = &Block> {
-    draft.device.iter().chain(&draft.pdos).chain(&draft.objects)
+    draft.device.iter().chain(&draft.pdos).chain(&draft.objects).chain(&draft.diagnosis)
 }
 
 /// The tables that all have; of those that are alone in their section, the keys.

@@ -2,9 +2,11 @@
 
 use super::super::read::{Device, Esi};
 use super::super::report::Report;
-use super::super::toml::{Keys, Toml, set};
+use super::super::toml::{Keys, Toml, set, set_some};
 use super::described::Described;
 use super::draft::Block;
+use super::literal::pairs;
+use super::words::in_languages;
 use crate::model::Eeprom;
 
 /// `[device]`, `[identity]` and `[eeprom]`.
@@ -27,15 +29,12 @@ pub(super) fn blocks(esi: &Esi, device: &Device, objects: &[Described], report: 
                 "without ConfigData an ESI made of the description has no Eeprom",
             );
         }
+        if !eeprom.bootstrap.is_empty() {
+            set(&mut keys, "bootstrap", Toml::text(pairs(&eeprom.bootstrap)));
+        }
         blocks.push(Block::new("eeprom", None, keys));
     }
     blocks
-}
-
-/// Bytes in groups of two.
-fn pairs(bytes: &[u8]) -> String {
-    let words = bytes.chunks(2).map(|pair| pair.iter().map(|byte| format!("{byte:02X}")).collect::<String>());
-    words.collect::<Vec<_>>().join(" ")
 }
 
 fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
@@ -46,10 +45,11 @@ fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     let vendor = esi.vendor_name.clone().filter(|name| !name.is_empty()).unwrap_or_else(|| {
         let name = format!("Vendor 0x{:08X}", esi.vendor_id.unwrap_or(0));
         report.guess(head.at, "the vendor's name", format!("the file has none; `{name}` is taken"));
-        block.remarks.push("the ESI does not name its vendor".to_owned());
+        block.remarks.push("the file does not name its vendor".to_owned());
         name
     });
     set(&mut keys, "name", Toml::text(&name));
+    set_some(&mut keys, "names", in_languages(&device.names));
     set(&mut keys, "vendor", Toml::text(vendor));
     if let Some(group) = device.group.as_ref().filter(|group| !group.is_empty()) {
         set(&mut keys, "group", Toml::text(group));
@@ -64,10 +64,13 @@ fn device(esi: &Esi, device: &Device, report: &mut Report) -> Block {
         Some(physics) => set(&mut keys, "physics", Toml::text(physics)),
         None => {
             report.guess(head.at, "Physics", "it is missing; two ports for cables are taken");
-            block.remarks.push("the ESI does not say its ports".to_owned());
+            block.remarks.push("the file does not say its ports".to_owned());
             set(&mut keys, "physics", Toml::text("YY"));
         }
     }
+    set_some(&mut keys, "ebus-current", device.ebus_current.map(|current| Toml::Integer(current.into())));
+    set_some(&mut keys, "url", device.url.as_ref().map(Toml::text));
+    set_some(&mut keys, "urls", in_languages(&device.urls));
     block.keys = keys;
     block
 }
@@ -83,7 +86,7 @@ fn identity(esi: &Esi, device: &Device, report: &mut Report) -> Block {
     for (name, number, what) in numbers {
         if number.is_none() {
             report.guess(device.head.at, what, "it is missing or no number; 0 is taken");
-            remarks.push(format!("the ESI does not give {what}"));
+            remarks.push(format!("the file does not give {what}"));
         }
         set(&mut keys, name, Toml::Hex(number.unwrap_or(0).into(), 8));
     }

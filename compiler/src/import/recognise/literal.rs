@@ -10,6 +10,12 @@ pub(super) fn literal(written: &Written, data_type: DataType) -> Result<Toml, &'
         (Written::Data(bytes), DataType::Text(length)) => text(bytes, length),
         (Written::Text(words), DataType::Text(length)) => text(words.as_bytes(), length),
         (Written::Number(digits), DataType::Text(length)) => text(digits.as_bytes(), length),
+        (Written::Data(bytes), DataType::Octets(length)) => octets(bytes, length),
+        (Written::Text(words), DataType::Octets(length)) => octets(words.as_bytes(), length),
+        (Written::Number(words), DataType::Octets(length)) => {
+            let number = number::<u64>(words).ok_or("it is neither bytes nor a number")?;
+            octets(&number.to_le_bytes(), length)
+        }
         (Written::Data(bytes), _) => of_bytes(bytes, data_type),
         (Written::Number(words) | Written::Text(words), DataType::Real32 | DataType::Real64) => {
             if let Some(bits) = bits_of_real(written, data_type) {
@@ -52,6 +58,21 @@ fn text(bytes: &[u8], length: u16) -> Result<Toml, &'static str> {
         return Err("the text is longer than its type");
     }
     Ok(Toml::text(text))
+}
+
+/// Bytes as they are, in pairs; zeros at the end say nothing.
+fn octets(bytes: &[u8], length: u16) -> Result<Toml, &'static str> {
+    let end = bytes.iter().rposition(|byte| *byte != 0).map_or(0, |place| place + 1);
+    if end > usize::from(length) {
+        return Err("it has more bytes than its type");
+    }
+    Ok(Toml::text(pairs(bytes.get(..end.max(1)).unwrap_or(&[0]))))
+}
+
+/// Bytes in groups of two.
+pub(super) fn pairs(bytes: &[u8]) -> String {
+    let words = bytes.chunks(2).map(|pair| pair.iter().map(|byte| format!("{byte:02X}")).collect::<String>());
+    words.collect::<Vec<_>>().join(" ")
 }
 
 /// A value from little-endian bytes: missing ones are zeros, and zeros beyond the type do not count.

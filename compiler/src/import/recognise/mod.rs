@@ -1,9 +1,12 @@
 //! What an ESI file means, in the words of a description.
 
 mod axes;
+mod axis_names;
+mod choices;
 mod clocks;
 mod derived;
 mod described;
+mod diagnosis;
 mod draft;
 mod entries;
 mod family;
@@ -20,6 +23,7 @@ mod types;
 mod value;
 mod words;
 
+pub(super) use axis_names::take_out;
 pub(super) use draft::{Block, Draft};
 pub(super) use family::family;
 
@@ -49,10 +53,14 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
     let mut described: Vec<Described> =
         own.into_iter().filter_map(|object| described::described(object, report)).collect();
     described.sort_by_key(|object| object.index);
-    let references = references::References::of(&described, &known);
+    kept_by_tools(device, &mut described, report);
+    if device.hides_mapping {
+        without(&mut described, &["pdo"]);
+    }
     let mut draft = Draft { profiles, ..Draft::default() };
     draft.device = head::blocks(esi, device, &described, report);
-    let axes = Axes::of(&described);
+    let axes = Axes::of(&described, &device.slots);
+    let references = References::of(&described, &known, &axes);
     draft.device.extend(axes.block(&described, report));
     for object in described.iter().filter(|object| !axes.repeats(object.index)) {
         let (mut block, without) = objects::block(object, &known, report);
@@ -61,10 +69,37 @@ pub(super) fn device(esi: &Esi, device: &Device, report: &mut Report) -> Draft {
         draft.without.extend(without);
     }
     process_data(device, &made, (&references, &axes), &basis, &mut draft, report);
-    draft.device.extend(clocks::sync_modes(&device.op_modes, report));
+    draft.objects.sort_by(|one, other| one.key.cmp(&other.key));
+    let carriers = clocks::Carriers { managers: &managers, pdos: [&rx, &tx] };
+    draft.device.extend(clocks::sync_modes(&device.op_modes, &carriers, report));
+    draft.device.extend(choices::configurations(&device.alternatives, &carriers, report));
     let commands = device.mailbox.iter().flat_map(|mailbox| &mailbox.commands);
     draft.device.extend(start_up::configuration(commands, &references, report));
+    draft.diagnosis = diagnosis::blocks(&device.messages, report);
     draft
+}
+
+/// A file that says of no value whether tools save it leaves that to the profiles.
+fn kept_by_tools(device: &Device, described: &mut [Described], report: &mut Report) {
+    let values = || device.objects.iter().flat_map(|object| &object.values);
+    if values().any(|value| value.flags.backup || value.flags.setting) {
+        return;
+    }
+    if let Some(first) = device.objects.first() {
+        report.guess(
+            first.at,
+            "what tools save",
+            "the file says it of no value; what the profiles say is taken",
+        );
+    }
+    without(described, &["backup", "setting"]);
+}
+
+/// Leaves keys out of which the file knows nothing.
+fn without(described: &mut [Described], keys: &[&str]) {
+    for value in described.iter_mut().flat_map(|object| &mut object.values) {
+        value.keys.retain(|(name, _)| !keys.contains(&name.as_str()));
+    }
 }
 
 /// What the objects follow from that devc makes.

@@ -1,7 +1,7 @@
 //! Objects, each with the difference from what a profile says of it.
 
 use super::super::report::Report;
-use super::super::toml::{Keys, Toml, get, set};
+use super::super::toml::{Keys, Toml, get, set, set_some};
 use super::described::{Described, difference};
 use super::draft::Block;
 use super::entries::{shared, tables};
@@ -22,6 +22,7 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
     if let Some(name) = name {
         set(&mut keys, "name", Toml::text(name));
     }
+    set_some(&mut keys, "names", object.names.clone());
     match object.kind {
         Kind::Var => var(object, base, &mut keys, &mut without),
         Kind::Array | Kind::Record => several(object, base, &mut keys, &mut without, report),
@@ -31,6 +32,10 @@ pub(super) fn block(object: &Described, known: &Known, report: &mut Report) -> (
     {
         let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
         keys.insert(place, ("about".to_owned(), Toml::text(about)));
+    }
+    if let Some(properties) = &object.properties {
+        let place = keys.iter().position(|(name, _)| name == "entries").unwrap_or(keys.len());
+        keys.insert(place, ("properties".to_owned(), properties.clone()));
     }
     let without = without.into_iter().map(|path| format!("objects.{key}.{path}")).collect();
     (Block::new("objects", Some(key), keys), without)

@@ -2,7 +2,7 @@
 
 use super::super::read::{Pdo, PdoEntry};
 use super::super::report::Report;
-use super::super::toml::{Keys, Toml, set};
+use super::super::toml::{Keys, Toml, set, set_some};
 use super::draft::Block;
 use super::references::References;
 use super::types::data_type;
@@ -92,7 +92,7 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
     let key = format!("0x{:04X}", pdo.index);
     let mut remarks = Vec::new();
     let name = pdo.name.clone().unwrap_or_else(|| {
-        remarks.push("the ESI gives it no name".to_owned());
+        remarks.push("the file gives it no name".to_owned());
         report.guess(
             pdo.at,
             format!("the name of {} {key}", way.element()),
@@ -101,6 +101,7 @@ pub(super) fn block(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Rep
         format!("{} {key}", way.element())
     });
     set(&mut keys, "name", Toml::text(name));
+    set_some(&mut keys, "names", words::in_languages(&pdo.names));
     if !pdo.fixed {
         set(&mut keys, "fixed", Toml::Bool(false));
     }
@@ -143,15 +144,17 @@ fn excludes(pdo: &Pdo, surroundings: &Surroundings<'_>, report: &mut Report) -> 
 fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Toml {
     let bits = || ("bits".to_owned(), Toml::Integer(entry.bits.into()));
     let named = |name: &String| ("name".to_owned(), Toml::text(name));
+    let names = words::in_languages(&entry.names).map(|it| ("names".to_owned(), it));
     if entry.index == 0 {
         let name = entry.name.iter().filter(|name| !is_padding(name)).map(named);
-        return Toml::Table(std::iter::once(bits()).chain(name).collect());
+        return Toml::Table(std::iter::once(bits()).chain(name).chain(names).collect());
     }
     let address = format!("0x{:04X}:{:02X}", entry.index, entry.subindex);
     let Some(target) = references.get(entry.index, entry.subindex) else {
         let width = own_type(entry, report).map_or_else(bits, |it| ("type".to_owned(), Toml::text(it)));
         let keys = [("entry".to_owned(), Toml::text(address)), width];
-        return Toml::Table(keys.into_iter().chain(entry.name.as_ref().map(named)).collect());
+        let name = entry.name.as_ref().map(named);
+        return Toml::Table(keys.into_iter().chain(name).chain(names).collect());
     };
     let same_type = entry.data_type.as_deref().is_none_or(|name| {
         data_type(name, Some(entry.bits.into())).is_some_and(|(found, _)| found == target.data_type)
@@ -167,6 +170,9 @@ fn mapped(entry: &PdoEntry, references: &References, report: &mut Report) -> Tom
     }
     let other = |name: &&String| target.name.as_ref().is_none_or(|known| !words::alike(known, name));
     keys.extend(entry.name.as_ref().filter(other).map(named));
+    let is_other =
+        keys.iter().any(|(key, _)| key == "name") || words::in_languages(&entry.names) != target.names;
+    keys.extend(names.filter(|_| is_other));
     if keys.len() > 1 { Toml::Table(keys) } else { Toml::text(&target.text) }
 }
 

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::super::toml::{Toml, get};
+use super::axes::Axes;
 use super::described::Described;
 use super::profile::{Base, Known};
 use crate::model::{DataType, Kind, ids};
@@ -16,12 +18,15 @@ pub(super) struct Target {
     pub(super) text: String,
     /// The name that a mapped entry has if it is given none.
     pub(super) name: Option<String>,
+    /// And in other languages.
+    pub(super) names: Option<Toml>,
     pub(super) data_type: DataType,
 }
 
 impl References {
-    /// An object is named by its id where no other has it; all else by index.
-    pub(super) fn of(objects: &[Described], known: &Known) -> Self {
+    /// An object is named by its id where no other has it; all else by index, and so what is described with that of the first
+    /// axis.
+    pub(super) fn of(objects: &[Described], known: &Known, axes: &Axes) -> Self {
         let id = |object: &Described| {
             let base = known.object(object.index);
             base.and_then(Base::id).or_else(|| object.name.as_deref().map(ids::id))
@@ -32,7 +37,9 @@ impl References {
         }
         let mut targets = BTreeMap::new();
         for object in objects {
-            let id = id(object).filter(|id| times.get(id) == Some(&1) && is_word(id));
+            let is_own =
+                |id: &String| times.get(id) == Some(&1) && is_word(id) && !axes.repeats(object.index);
+            let id = id(object).filter(is_own);
             let word = id.unwrap_or_else(|| format!("0x{:04X}", object.index));
             let base = known.object(object.index);
             for value in &object.values {
@@ -40,7 +47,8 @@ impl References {
                 let text = if single { word.clone() } else { format!("{word}:{:X}", value.subindex) };
                 let given = if single { &object.name } else { &value.name };
                 let name = given.clone().or_else(|| base.filter(|_| single).and_then(Base::name));
-                let target = Target { text, name, data_type: value.data_type };
+                let names = if single { object.names.clone() } else { get(&value.keys, "names").cloned() };
+                let target = Target { text, name, names, data_type: value.data_type };
                 targets.insert((object.index, value.subindex), target);
             }
         }

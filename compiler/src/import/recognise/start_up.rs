@@ -70,7 +70,7 @@ fn writes(command: &InitCmd, references: &References) -> Result<Vec<Toml>, Strin
             set(&mut keys, "transition", Toml::text(transition));
         }
         let why = command.comment.clone().or_else(|| target.name.clone());
-        set(&mut keys, "why", Toml::text(why.unwrap_or_else(|| "the ESI does not say".to_owned())));
+        set(&mut keys, "why", Toml::text(why.unwrap_or_else(|| "the file does not say".to_owned())));
         Toml::Table(keys)
     };
     Ok(command.transitions.iter().map(of).collect())

@@ -15,7 +15,7 @@ pub(super) struct Manager<'m> {
     pub(super) number: u8,
     pub(super) role: Role,
     /// The word for it.
-    key: String,
+    pub(super) key: String,
     manager: &'m Sm,
 }
 
@@ -58,12 +58,16 @@ fn role(manager: &Sm, number: u8, report: &mut Report) -> Role {
 
 /// The PDOs that a sync manager carries at start-up, in the order of the file.
 pub(super) fn carried<'p>(manager: &Manager<'_>, [rx, tx]: [&[&'p Pdo]; 2]) -> Vec<&'p Pdo> {
-    let carried = match manager.role {
+    carries(manager, [rx, tx]).iter().copied().filter(|pdo| pdo.sm == Some(manager.number)).collect()
+}
+
+/// The PDOs of the direction of a sync manager.
+pub(super) fn carries<'l, 'p>(manager: &Manager<'_>, [rx, tx]: [&'l [&'p Pdo]; 2]) -> &'l [&'p Pdo] {
+    match manager.role {
         Role::Outputs => rx,
         Role::Inputs => tx,
         Role::MailboxOut | Role::MailboxIn => &[],
-    };
-    carried.iter().copied().filter(|pdo| pdo.sm == Some(manager.number)).collect()
+    }
 }
 
 /// The tables of the sync managers. `followers` are PDOs that come with that of the first axis, and `slots` says how many
@@ -76,12 +80,14 @@ pub(super) fn blocks(
     report: &mut Report,
 ) -> Vec<Block> {
     let is_usual = managers.is_sorted_by_key(|manager| manager.role);
+    let outputs = managers.iter().filter(|manager| manager.role == Role::Outputs);
+    let outputs = outputs.map(|manager| image(&self::carried(manager, pdos))).sum();
     let mut blocks = Vec::new();
     let mut assigned = BTreeSet::new();
     for manager in managers {
         let carried = carried(manager, pdos);
         assigned.extend(carried.iter().map(|pdo| pdo.index));
-        let mut keys = keys(manager, is_usual, &carried, report);
+        let mut keys = keys(manager, is_usual, (&carried, outputs), report);
         let named = carried.iter().filter(|pdo| !followers.contains(&pdo.index));
         let named: Vec<String> = named.map(|pdo| format!("0x{:04X}", pdo.index)).collect();
         if !named.is_empty() {
@@ -102,8 +108,47 @@ pub(super) fn blocks(
     blocks
 }
 
+/// The bytes of PDOs one behind the other.
+fn image(pdos: &[&Pdo]) -> u32 {
+    let bits: u32 = pdos.iter().flat_map(|pdo| &pdo.entries).map(|entry| u32::from(entry.bits)).sum();
+    bits.div_ceil(8)
+}
+
+/// The bytes of a mailbox of which a file does not say how long it is.
+const MAILBOX: u16 = 128;
+
+/// Where an area lies if a file does not say it: mailboxes from the first byte of the memory on, then outputs and inputs with
+/// three buffers each.
+fn usual_address(role: Role, outputs: u32) -> u16 {
+    let first: u16 = 0x1000;
+    match role {
+        Role::MailboxOut => first,
+        Role::MailboxIn => first + MAILBOX,
+        Role::Outputs => first + 2 * MAILBOX,
+        Role::Inputs => {
+            let behind = outputs.saturating_mul(3).next_multiple_of(u32::from(MAILBOX));
+            u16::try_from(behind).unwrap_or(MAILBOX).saturating_add(first + 2 * MAILBOX)
+        }
+    }
+}
+
+/// The length of the area; a mailbox has to have one.
+fn size(manager: &Sm, role: Role, key: &str, report: &mut Report) -> Option<u16> {
+    if manager.default_size.is_none() && manager.max_size.is_none() && !role.is_process_data() {
+        let why = format!("the file has none; {MAILBOX} bytes are taken");
+        report.guess(manager.at, format!("the size of {key}"), why);
+        return Some(MAILBOX);
+    }
+    manager.default_size
+}
+
 /// All that a sync manager says but for its PDOs.
-fn keys(manager: &Manager<'_>, is_usual: bool, carried: &[&Pdo], report: &mut Report) -> Keys {
+fn keys(
+    manager: &Manager<'_>,
+    is_usual: bool,
+    (carried, outputs): (&[&Pdo], u32),
+    report: &mut Report,
+) -> Keys {
     let Manager { number, role, key, manager } = manager;
     let mut keys = Keys::new();
     if key != role.key() {
@@ -113,15 +158,16 @@ fn keys(manager: &Manager<'_>, is_usual: bool, carried: &[&Pdo], report: &mut Re
         set(&mut keys, "number", Toml::Integer((*number).into()));
     }
     let address = manager.address.unwrap_or_else(|| {
-        report.guess(manager.at, format!("the address of {key}"), "the file has none; 0x1000 is taken");
-        0x1000
+        let address = usual_address(*role, outputs);
+        let why = format!("the file has none; 0x{address:04X} is taken");
+        report.guess(manager.at, format!("the address of {key}"), why);
+        address
     });
     set(&mut keys, "address", Toml::Hex(address.into(), 4));
-    let bits: u32 = carried.iter().flat_map(|pdo| &pdo.entries).map(|entry| u32::from(entry.bits)).sum();
-    let image = bits.div_ceil(8);
+    let image = image(carried);
     let is_own = |size: &u16| !role.is_process_data() || u32::from(*size) != image;
     let sizes = [
-        ("size", manager.default_size.filter(is_own)),
+        ("size", size(manager, *role, key, report).filter(is_own)),
         ("min-size", manager.min_size),
         ("max-size", manager.max_size),
     ];

@@ -103,5 +103,11 @@ fn named(name: &str) -> Option<DataType> {
             .and_then(|it| it.trim().parse().ok())
             .map(DataType::Text)
     };
-    basic.or_else(bits).or_else(int).or_else(uint).or_else(text).or_else(|| octets(&name))
+    basic
+        .or_else(bits)
+        .or_else(int)
+        .or_else(uint)
+        .or_else(text)
+        .or_else(|| octets(&name))
+        .or_else(|| name.parse().ok())
 }

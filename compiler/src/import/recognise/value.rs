@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::read::{Choice, Datum, Value};
 use super::super::report::Report;
-use super::super::toml::{Keys, Toml, set};
+use super::super::toml::{Keys, Toml, set, set_some};
 use super::literal::{bits_of_real, literal};
 use super::types::data_type;
 use super::words;
@@ -39,10 +39,12 @@ pub(super) fn said(value: &Value, at: &str, single: bool, report: &mut Report) -
         );
     }
     let mut keys = Keys::new();
+    set_some(&mut keys, "names", words::in_languages(&value.names));
     set(&mut keys, "type", Toml::text(data_type.to_string()));
     flags(value, at, &mut keys, report);
     for (name, datum) in [("default", &value.default), ("min", &value.min), ("max", &value.max)] {
-        if let Some(literal) = datum.as_ref().and_then(|datum| number(datum, name, at, data_type, report)) {
+        let literal = datum.as_ref().and_then(|datum| number(datum, name, at, data_type, report));
+        if let Some(literal) = literal.filter(|literal| !is_bound(name, literal, data_type)) {
             set(&mut keys, name, literal);
         }
     }
@@ -50,9 +52,8 @@ pub(super) fn said(value: &Value, at: &str, single: bool, report: &mut Report) -
     if !meanings.is_empty() {
         set(&mut keys, "values", Toml::Table(meanings));
     }
-    if let Some(comment) = &value.comment {
-        set(&mut keys, "about", Toml::text(comment));
-    }
+    set_some(&mut keys, "about", value.comment.as_ref().map(Toml::text));
+    set_some(&mut keys, "properties", words::properties(&value.properties));
     let name = value.name.clone().filter(|name| !words::says_nothing(name));
     let shown = value
         .display_name
@@ -68,6 +69,17 @@ pub(super) fn said(value: &Value, at: &str, single: bool, report: &mut Report) -
     }
     let name = name.or_else(|| value.display_name.clone());
     Some(Said { subindex: value.subindex, data_type, name, keys })
+}
+
+/// Whether a limit is that of the type, which says nothing.
+fn is_bound(name: &str, literal: &Toml, data_type: DataType) -> bool {
+    let value = match literal {
+        Toml::Integer(value) => *value,
+        Toml::Hex(value, _) => i128::from(*value),
+        _ => return false,
+    };
+    let Some((least, greatest)) = data_type.range() else { return false };
+    name == "min" && value == least || name == "max" && value == greatest
 }
 
 /// How many facts a value is: those that this module reads.
@@ -105,6 +117,12 @@ fn flags(value: &Value, at: &str, keys: &mut Keys, report: &mut Report) {
     }
 }
 
+/// Whether the digits of a value are those of a code or of bits: of the identity and of errors, of units (0x60A8, 0x60A9),
+/// and of the supported modes.
+fn is_code(at: &str) -> bool {
+    at.starts_with("0x10") || ["0x60A8", "0x60A9", "0x6502"].contains(&at)
+}
+
 /// A value as it is written; what identifies a device is in hexadecimal.
 fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut Report) -> Option<Toml> {
     if let Some(bits) = bits_of_real(&datum.written, data_type) {
@@ -116,7 +134,7 @@ fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut
     }
     match literal(&datum.written, data_type) {
         Ok(Toml::Text(text)) if name == "default" && text.is_empty() => None,
-        Ok(Toml::Integer(value)) if data_type == DataType::Uint(32) && at.starts_with("0x10") => {
+        Ok(Toml::Integer(value)) if data_type == DataType::Uint(32) && is_code(at) => {
             Some(u64::try_from(value).map_or(Toml::Integer(value), |value| Toml::Hex(value, 8)))
         }
         Ok(literal) => Some(literal),
@@ -131,7 +149,7 @@ fn number(datum: &Datum, name: &str, at: &str, data_type: DataType, report: &mut
 fn meanings(value: &Value, at: &str, data_type: DataType, report: &mut Report) -> Keys {
     let mut meanings = Keys::new();
     let mut known = BTreeSet::new();
-    for Choice { value: number, name, comment } in value.choices.iter() {
+    for Choice { value: number, name, names, comment } in value.choices.iter() {
         let key = number.to_string();
         let fits = data_type.range().is_some_and(|(min, max)| (min..=max).contains(&i128::from(*number)));
         if !fits || !known.insert(*number) {
@@ -139,14 +157,10 @@ fn meanings(value: &Value, at: &str, data_type: DataType, report: &mut Report) -
             report.lose(value.at, 2, format!("the meaning of {key} of {at}"), why);
             continue;
         }
-        let meaning = match comment {
-            None => Toml::text(name),
-            Some(about) => Toml::Table(vec![
-                ("name".to_owned(), Toml::text(name)),
-                ("about".to_owned(), Toml::text(about)),
-            ]),
-        };
-        meanings.push((key, meaning));
+        let mut said = vec![("name".to_owned(), Toml::text(name))];
+        set_some(&mut said, "names", words::in_languages(names));
+        set_some(&mut said, "about", comment.as_ref().map(Toml::text));
+        meanings.push((key, if said.len() > 1 { Toml::Table(said) } else { Toml::text(name) }));
     }
     meanings
 }

@@ -1,5 +1,7 @@
 //! The words that descriptions and ESI files have for the same.
 
+use super::super::read::{Property, Texts};
+use super::super::toml::{Toml, set_some};
 use crate::model::{Access, Category, Kind, Mappable, WriteWindow};
 
 pub(super) fn access(access: Access) -> &'static str {
@@ -61,12 +63,13 @@ pub(super) fn window_of(text: &str) -> Option<WriteWindow> {
     WINDOWS.into_iter().find(|window| window.name().eq_ignore_ascii_case(text.trim()))
 }
 
-/// `ro`, `wo`, `rw`, in any case of letters.
+/// `ro`, `wo`, `rw`, `const`, in any case of letters.
 pub(super) fn access_of(text: &str) -> Option<Access> {
     match text.trim().to_ascii_lowercase().as_str() {
         "ro" => Some(Access::Ro),
         "wo" => Some(Access::Wo),
         "rw" => Some(Access::Rw),
+        "const" => Some(Access::Const),
         _ => None,
     }
 }
@@ -90,6 +93,25 @@ pub(super) fn category_of(text: &str) -> Option<Category> {
         "c" => Some(Category::Conditional),
         _ => None,
     }
+}
+
+/// Texts in other languages by the codes of these; none if there are none.
+pub(super) fn in_languages(texts: &Texts) -> Option<Toml> {
+    let texts: Vec<_> =
+        texts.iter().map(|(language, text)| (language.code().to_owned(), Toml::text(text))).collect();
+    (!texts.is_empty()).then_some(Toml::Table(texts))
+}
+
+/// What the vendor's tools are told; none if that is nothing.
+pub(super) fn properties(properties: &[Property]) -> Option<Toml> {
+    let table = |property: &Property| {
+        let mut keys = vec![("name".to_owned(), Toml::text(&property.name))];
+        set_some(&mut keys, "value", property.value.as_ref().map(Toml::text));
+        set_some(&mut keys, "about", property.about.as_ref().map(Toml::text));
+        Toml::Table(keys)
+    };
+    let tables: Vec<Toml> = properties.iter().map(table).collect();
+    (!tables.is_empty()).then_some(Toml::List(tables))
 }
 
 /// Whether two names are the same but for case, blanks and signs.

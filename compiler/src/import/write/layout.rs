@@ -48,7 +48,7 @@ fn section(blocks: &[Block]) -> String {
 /// Whether a table can be written in the one line of its key. Where order counts, all of a section have to be.
 fn is_short(block: &Block) -> bool {
     let Some(name) = &block.key else { return false };
-    let known = ["objects", "rx-pdos", "tx-pdos", "sync-modes"].contains(&section_name(block));
+    let known = ["objects", "rx-pdos", "tx-pdos", "sync-modes", "diagnosis"].contains(&section_name(block));
     known && block.remarks.is_empty() && key(name).len() + 3 + inline(block).len() <= WIDTH
 }
 

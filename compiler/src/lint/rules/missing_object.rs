@@ -72,6 +72,13 @@ fn needs(device: &Device) -> impl Iterator<Item = Need> {
         objects: &[0x6040, 0x6041],
         clause: "CiA 402 demands controlword and statusword of every drive",
     });
+    let messages = device.diagnosis.first().map(|message| Need {
+        subject: Section::Diagnosis.at(format_args!("0x{:04X}", message.text_id)),
+        who: "a diagnosis message".to_owned(),
+        at: message.origin.header(),
+        objects: &[0x10F3],
+        clause: "ETG.1020 keeps diagnosis messages in 0x10F3, which names them by their text ids",
+    });
     let modes = device.modes.iter().find(|mode| mode.code != 0).map(|mode| Need {
         subject: Section::Modes.at(mode.code),
         who: format!("mode {}", mode.code),
@@ -86,5 +93,5 @@ fn needs(device: &Device) -> impl Iterator<Item = Need> {
         objects: &[0x1C32, 0x1C33],
         clause: "ETG.1020 has the parameters of synchronisation in 0x1C32 and 0x1C33",
     });
-    mailbox.chain(drive).chain(modes).chain(clocks).collect::<Vec<_>>().into_iter()
+    mailbox.chain(drive).chain(messages).chain(modes).chain(clocks).collect::<Vec<_>>().into_iter()
 }

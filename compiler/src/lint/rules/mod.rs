@@ -44,6 +44,7 @@ mod hidden_command;
 pub(super) mod idle_erratum;
 mod idle_mapped_entry;
 mod idle_unit;
+pub(crate) mod impossible_boot_mailbox;
 pub(crate) mod impossible_eeprom_size;
 pub(crate) mod incomplete_timeouts;
 pub(crate) mod indistinct_members;
@@ -79,6 +80,7 @@ mod patternless_state;
 pub(crate) mod pinless_value;
 mod placeholder_identity;
 mod pointless_exclusion;
+mod portless_current;
 mod refused_choice;
 mod renamed_entry;
 mod repeated_alias;
@@ -179,6 +181,7 @@ lints! {
     idle_erratum,
     idle_mapped_entry,
     idle_unit,
+    impossible_boot_mailbox,
     impossible_eeprom_size,
     incomplete_timeouts,
     indistinct_members,
@@ -214,6 +217,7 @@ lints! {
     pinless_value,
     placeholder_identity,
     pointless_exclusion,
+    portless_current,
     refused_choice,
     renamed_entry,
     repeated_alias,

@@ -8,7 +8,7 @@ use super::plant::Plant;
 /// How long the axis looks for its reference, in seconds, and how fast, in steps a second, where no object says. There is
 /// no switch in a description, nor a place for it: the axis finds what it looks for after a while.
 const SEARCH: f64 = 0.05;
-const SPEED: f64 = 1000.0;
+pub(super) const SPEED: f64 = 1000.0;
 
 /// A reference run.
 #[derive(Debug, Clone, Copy, Default)]

@@ -5,6 +5,7 @@ mod lag;
 mod model;
 mod motion;
 mod plant;
+mod probe;
 mod ramp;
 mod roles;
 mod scale;
@@ -15,6 +16,7 @@ use devc_runtime::cia402::{Events, Machine, ModeStep, ModeSwitch, Refusal, Runni
 
 pub(super) use self::model::AxisModel;
 use self::motion::{Cycle, Motion};
+use self::probe::Probe;
 pub use self::status::AxisStatus;
 use super::dictionary::Values;
 
@@ -29,6 +31,7 @@ pub(super) struct Axis {
     machine: &'static Machine,
     modes: ModeSwitch,
     motion: Motion,
+    probes: [Probe; 2],
     state: State,
     controlword: u16,
     /// The cause of a fault, until the reaction to it has begun.
@@ -56,6 +59,7 @@ impl Axis {
             machine,
             modes: ModeSwitch::new(&machine.modes),
             motion: Motion::default(),
+            probes: Default::default(),
             state: State::NotReadyToSwitchOn,
             controlword: 0,
             fault: None,
@@ -98,6 +102,13 @@ impl Axis {
         self.motion.plant.is_held = is_held;
     }
 
+    /// The signal of a touch probe, 0 or 1, has a level.
+    pub(super) fn signal(&mut self, probe: usize, is_high: bool) {
+        if let Some(probe) = self.probes.get_mut(probe) {
+            probe.signal(is_high, self.motion.plant.position);
+        }
+    }
+
     /// Whether the drive acts on its set values, or stops by itself.
     pub(super) fn is_active(&self) -> bool {
         matches!(self.state, State::OperationEnabled | State::QuickStopActive)
@@ -128,6 +139,10 @@ impl Axis {
             _ => self.motion.stand(),
         }
         self.controlword = order.controlword;
+        let function = self.model.roles.probe_function.map_or(0, |number| number.get(values));
+        for (probe, function) in self.probes.iter_mut().zip(function.to_le_bytes()) {
+            probe.arm(function);
+        }
     }
 
     fn change_mode(&mut self, order: Order) {

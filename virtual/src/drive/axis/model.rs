@@ -5,7 +5,7 @@ use devc_runtime::cia402::HomingBits;
 use devc_runtime::sdo::Dictionary;
 
 use super::roles::{Finder, Roles};
-use super::scale::Scales;
+use super::scale::{self, Scales};
 use crate::drive::dictionary::Number;
 
 /// What the firmware has to know of an axis.
@@ -14,6 +14,8 @@ pub(crate) struct AxisModel {
     pub(crate) name: String,
     pub(super) roles: Roles,
     pub(super) scales: Scales,
+    /// The unit of the position, and how much of it a step is.
+    pub(super) unit: Option<(String, f64)>,
     pub(super) modes: Vec<ModeModel>,
     /// The bits of the statusword that mean the same in every mode, by the word for each.
     pub(super) status_bits: Vec<(u16, String)>,
@@ -34,6 +36,8 @@ pub(super) struct ModeModel {
     /// The bits of the controlword and of the statusword that have a meaning in it.
     pub(super) control_bits: u16,
     pub(super) status_bits: u16,
+    /// The bits that move the axis by hand, forwards and backwards, in a vendor's own mode that has such.
+    pub(super) jog: Option<[u16; 2]>,
 }
 
 impl AxisModel {
@@ -49,6 +53,7 @@ impl AxisModel {
             name: axis.name.clone(),
             roles: Roles::new(&finder),
             scales: Scales::new(&finder),
+            unit: scale::unit(&finder),
             modes: device.modes.iter().map(|mode| ModeModel::new(&finder, mode, control)).collect(),
             status_bits: statusword
                 .filter(|field| is_general(field))
@@ -86,8 +91,15 @@ impl ModeModel {
             target_position: finder.target_position(mode),
             control_bits: used(&mode.control_bits) | general & !reserved,
             status_bits: used(&mode.status_bits),
+            jog: jog(mode),
         }
     }
+}
+
+/// The bits of a mode whose names say that they jog.
+fn jog(mode: &Mode) -> Option<[u16; 2]> {
+    let find = |id: &str| mode.control_bits.iter().find(|field| field.id == id).map(|field| bit(field.low));
+    Some([find("jog-positive")?, find("jog-negative")?])
 }
 
 /// The fields of the word at an index of the first axis.

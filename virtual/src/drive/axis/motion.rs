@@ -1,6 +1,6 @@
 //! What an axis does in its mode of operation.
 
-use super::homing::{Homing, Run};
+use super::homing::{Homing, Run, SPEED};
 use super::lag::{Lag, Window};
 use super::model::{AxisModel, ModeModel};
 use super::plant::Plant;
@@ -115,7 +115,7 @@ impl Motion {
             8 => self.cyclic_position(cycle),
             9 => self.cyclic_velocity(cycle),
             10 => self.cyclic_torque(cycle),
-            _ => self.plant.brake(cycle.time),
+            _ => self.jog(cycle),
         }
         if !matches!(cycle.mode.code, 1 | 7 | 8) {
             self.lag = Lag::default();
@@ -185,6 +185,20 @@ impl Motion {
         self.ramp.accelerate(aim, cycle.dynamics(), cycle.time);
         self.plant.run(self.ramp.velocity, cycle.time);
         self.shown = when(self.plant.velocity == aim, REACHED) | when(self.plant.is_at_rest(), TWELVE);
+    }
+
+    /// A mode of the vendor's: if it has bits to jog, the axis moves while one of them is set, as fast as in a profile.
+    fn jog(&mut self, cycle: &Cycle<'_>) {
+        let Some(bits) = cycle.mode.jog else { return self.plant.brake(cycle.time) };
+        let way = match bits.map(|bit| cycle.is_given(bit)) {
+            [true, false] => 1.0,
+            [false, true] => -1.0,
+            _ => 0.0,
+        };
+        let dynamics = cycle.dynamics();
+        let speed = if dynamics.velocity > 0.0 { dynamics.velocity } else { SPEED };
+        self.ramp.accelerate(way * speed, dynamics, cycle.time);
+        self.plant.run(self.ramp.velocity, cycle.time);
     }
 
     fn profile_torque(&mut self, cycle: &Cycle<'_>, is_halted: bool) {

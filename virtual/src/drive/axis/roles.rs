@@ -33,6 +33,11 @@ pub(super) struct Roles {
     pub(super) home_offset: Option<Number>,
     pub(super) homing_method: Option<Number>,
     pub(super) homing_speed: Option<Number>,
+    pub(super) probe_function: Option<Number>,
+    pub(super) probe_status: Option<Number>,
+    /// Of the first and of the second touch probe, at the rising and the falling edge.
+    pub(super) probe_positions: [[Option<Number>; 2]; 2],
+    pub(super) probe_counts: [[Option<Number>; 2]; 2],
 }
 
 /// Finds the objects of an axis by their indices on the first.
@@ -110,6 +115,10 @@ impl Roles {
             home_offset: number(0x607C),
             homing_method: number(0x6098),
             homing_speed: finder.number(0x6099, 1),
+            probe_function: number(0x60B8),
+            probe_status: number(0x60B9),
+            probe_positions: [[0x60BA, 0x60BB], [0x60BC, 0x60BD]].map(|edges| edges.map(number)),
+            probe_counts: [[0x60D5, 0x60D6], [0x60D7, 0x60D8]].map(|edges| edges.map(number)),
         }
     }
 }

@@ -11,7 +11,12 @@ pub(super) struct Scales {
     pub(super) velocity: f64,
     /// Steps of the position in a second squared, for a step of the acceleration.
     pub(super) acceleration: f64,
+    /// Steps of the position, for a step of what a touch probe has measured.
+    pub(super) probe: f64,
 }
+
+/// Where the position of an axis is found.
+const POSITIONS: [(u16, u8); 3] = [(0x6064, 0), (0x607A, 0), (0x60C1, 0)];
 
 impl Scales {
     /// From the units of the description; 1 where one is the device's own, such as increments, of which nobody says how
@@ -21,7 +26,9 @@ impl Scales {
             let mut entries = places.iter().filter_map(|(index, subindex)| finder.entry(*index, *subindex));
             entries.find_map(|entry| step(finder, entry, kinds))
         };
-        let position = step(&[(0x6064, 0), (0x607A, 0), (0x60C1, 0)], [Dimension::Length, Dimension::Angle]);
+        let place = [Dimension::Length, Dimension::Angle];
+        let position = step(&POSITIONS, place);
+        let probe = step(&[(0x60BA, 0), (0x60BB, 0), (0x60BC, 0), (0x60BD, 0)], place);
         let velocity = [Dimension::Velocity, Dimension::AngularVelocity];
         let velocity = step(&[(0x60FF, 0), (0x606C, 0), (0x6081, 0)], velocity);
         let acceleration = [Dimension::Acceleration, Dimension::AngularAcceleration];
@@ -30,8 +37,17 @@ impl Scales {
             (Some((of, is_turning)), Some((position, turns))) if is_turning == turns => of / position,
             _ => 1.0,
         };
-        Self { velocity: ratio(velocity), acceleration: ratio(acceleration) }
+        Self { velocity: ratio(velocity), acceleration: ratio(acceleration), probe: ratio(probe) }
     }
+}
+
+/// The unit of the position of an axis, and how much of it a step is.
+pub(super) fn unit(finder: &Finder<'_>) -> Option<(String, f64)> {
+    let mut entries = POSITIONS.iter().filter_map(|(index, subindex)| finder.entry(*index, *subindex));
+    let unit = entries.find_map(|entry| finder.device.unit(entry.unit.as_deref()?))?;
+    let AxisUnit { symbol, scale } = unit.on(Some(finder.axis))?;
+    let step = scale.map_or(1.0, |scale| scale.units as f64 / scale.raw as f64);
+    (step > 0.0).then(|| (symbol.clone(), step))
 }
 
 /// A step of an entry in the smallest unit that devc knows, and whether it turns: if its unit has a known symbol and is of

@@ -2,6 +2,7 @@
 
 use devc_runtime::cia402::State;
 
+use super::probe::Probe;
 use super::{Axis, Values};
 
 const TARGET_REACHED: u16 = 1 << 10;
@@ -23,6 +24,8 @@ pub struct AxisStatus {
     pub velocity: f64,
     /// The error code; 0 if there is none.
     pub error: u16,
+    /// The unit of its position, and how much of it a step is, if the description says so.
+    pub unit: Option<(String, f64)>,
 }
 
 impl Axis {
@@ -37,6 +40,7 @@ impl Axis {
             position: self.motion.plant.position,
             velocity: self.motion.plant.velocity,
             error: self.error,
+            unit: self.model.unit.clone(),
         }
     }
 
@@ -85,11 +89,32 @@ impl Axis {
             (roles.torque, rounded(torque)),
             (roles.following_error, rounded(motion.lag.error())),
         ];
-        let position = rounded(motion.plant.position);
+        self.show_probes(values);
+        let position = rounded(self.motion.plant.position);
         let positions = roles.position.iter().map(|number| (Some(*number), position));
         for (number, value) in shown.into_iter().chain(positions) {
             if let Some(number) = number {
                 number.set(values, value);
+            }
+        }
+    }
+}
+
+impl Axis {
+    /// Writes what the touch probes have seen.
+    fn show_probes(&self, values: &mut Values) {
+        let (roles, scale) = (&self.model.roles, self.model.scales.probe);
+        if let Some(number) = roles.probe_status {
+            number.set(values, u16::from_le_bytes(self.probes.map(|probe| probe.status())).into());
+        }
+        let places = roles.probe_positions.iter().flatten().zip(roles.probe_counts.iter().flatten());
+        let seen = self.probes.iter().flat_map(Probe::seen);
+        for ((position, count), (at, times)) in places.zip(seen) {
+            if let (Some(number), Some(at)) = (position, at) {
+                number.set(values, rounded(at / scale));
+            }
+            if let Some(number) = count {
+                number.set(values, times.into());
             }
         }
     }

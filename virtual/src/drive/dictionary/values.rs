@@ -1,5 +1,6 @@
 //! The values of a dictionary that is known only when the program runs.
 
+use devc_runtime::object::Address;
 use devc_runtime::sdo::{self, Dictionary, PdoRules, Place, Range, Slot};
 
 use super::Tables;
@@ -42,6 +43,37 @@ impl Values {
         match self.at(place)? {
             Kept::Bytes(bytes) => Some(bytes),
             Kept::Bool(_) | Kept::Text(_) => None,
+        }
+    }
+
+    /// The value of an entry that is kept, as it travels.
+    pub(crate) fn read(&self, address: Address) -> Option<Vec<u8>> {
+        let place = self.tables.dictionary.find(address).ok()?.place()?;
+        match self.kept.get(usize::from(place.field))?.get(usize::from(place.item))? {
+            Kept::Bytes(bytes) => Some(bytes.clone()),
+            Kept::Bool(value) => Some(vec![u8::from(*value)]),
+            Kept::Text(_) => None,
+        }
+    }
+
+    /// Writes an entry that is kept, as far as its length goes.
+    pub(crate) fn write(&mut self, address: Address, data: &[u8]) {
+        let place = self.tables.dictionary.find(address).ok().and_then(|found| found.place());
+        match place.and_then(|place| self.at(place)) {
+            Some(Kept::Bytes(bytes)) => bytes.iter_mut().zip(data).for_each(|(to, from)| *to = *from),
+            Some(Kept::Bool(value)) => *value = data.first().is_some_and(|byte| *byte != 0),
+            Some(Kept::Text(_)) | None => {}
+        }
+    }
+
+    /// Brings back what an entry has after start-up.
+    pub(crate) fn reset(&mut self, address: Address) {
+        let place = self.tables.dictionary.find(address).ok().and_then(|found| found.place());
+        let Some(place) = place else { return };
+        let defaults = self.tables.defaults.get(usize::from(place.field));
+        let default = defaults.and_then(|defaults| defaults.get(usize::from(place.item)));
+        if let (Some(value), Some(default)) = (self.at(place), default) {
+            *value = default.clone();
         }
     }
 

@@ -4,9 +4,11 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, duration};
 use crate::emit::markdown::page::Page;
+use crate::emit::markdown::picture;
 use crate::emit::markdown::table::Table;
 use crate::model::{
-    AlStatusCode, CommunicationState, CommunicationTransition, Mailbox, Role, SyncManager, Timeouts,
+    AbortCode, AlStatusCode, CommunicationState, CommunicationTransition, Mailbox, Role, SyncManager,
+    Timeouts,
 };
 
 /// The parts of a device that the link layer is about.
@@ -14,6 +16,7 @@ pub(super) struct Link<'d> {
     pub(super) communication_states: &'d [CommunicationState],
     pub(super) communication_transitions: &'d [CommunicationTransition],
     pub(super) al_status_codes: &'d [AlStatusCode],
+    pub(super) abort_codes: &'d [AbortCode],
     pub(super) sync_managers: &'d [SyncManager],
     pub(super) mailbox: &'d Option<Mailbox>,
     pub(super) timeouts: &'d Option<Timeouts>,
@@ -26,6 +29,7 @@ pub(super) fn page(context: &Context<'_>, link: &Link<'_>) -> Page {
         communication_states: states,
         communication_transitions: transitions,
         al_status_codes: codes,
+        abort_codes,
         sync_managers: managers,
         mailbox,
         timeouts,
@@ -36,7 +40,11 @@ pub(super) fn page(context: &Context<'_>, link: &Link<'_>) -> Page {
         page.table(transition_table(context, states, transitions));
     }
     page.titled("Why a state is refused or left", al_status_codes(context, codes));
+    page.titled("Why an SDO transfer ends", self::abort_codes(context, abort_codes));
     page.titled("Sync managers", sync_managers(context, managers));
+    if !managers.is_empty() {
+        context.picture(&mut page, || picture::memory(managers));
+    }
     page.titled("Mailbox", mailbox.as_ref().map(|mailbox| services(context, mailbox)).unwrap_or_default());
     page.titled("Timeouts", timeouts.as_ref().map(|timeouts| waits(context, timeouts)).unwrap_or_default());
     page
@@ -66,6 +74,18 @@ fn transition_table(
             name(&change.to),
             context.optional(change.about.as_deref()),
             context.said(change.source.as_ref(), &change.origin),
+        ]
+    })
+}
+
+fn abort_codes(context: &Context<'_>, codes: &[AbortCode]) -> Table {
+    Table::of(["Code", "Reason", "Notes", "Source"], codes, |abort| {
+        let AbortCode { code: number, name, about, source, origin } = abort;
+        [
+            code(format!("0x{number:08X}")),
+            format!("**{}**", text(name)),
+            context.optional(about.as_deref()),
+            context.said(source.as_ref(), origin),
         ]
     })
 }

@@ -2,6 +2,7 @@
 
 use super::process_data::layout;
 use crate::emit::markdown::context::Context;
+use crate::emit::markdown::holds::Holds;
 use crate::emit::markdown::inline::{code, fragment, list, text};
 use crate::emit::markdown::number::{duration, width};
 use crate::emit::markdown::page::Page;
@@ -64,15 +65,18 @@ fn facts(context: &Context<'_>, configuration: &Configuration) -> Vec<String> {
 }
 
 fn startup(context: &Context<'_>, configuration: &Configuration) -> Table {
-    let titles = ["No.", "During", "Object", "Bytes in order", "What for"];
-    Table::of(titles, configuration.startup.iter().zip(1..), |(write, number)| {
+    let mut table = Table::new(["No.", "During", "Object", "Bytes in order", "What for"]);
+    for (write, number) in configuration.startup.iter().zip(1..) {
         let bytes: Vec<String> = write.data.iter().map(|byte| format!("{byte:02X}")).collect();
-        [
+        let axis = context.device.object(write.address.index).and_then(|object| object.axis);
+        let row = [
             number.to_string(),
             code(&write.transition),
             context.exact(write.address),
             code(bytes.join(" ")),
             context.prose(&write.comment),
-        ]
-    })
+        ];
+        table.row_for(axis.map_or_else(Holds::default, |axis| Holds::on_axes(&[axis])), row);
+    }
+    table
 }

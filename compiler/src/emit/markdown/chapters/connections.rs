@@ -3,6 +3,7 @@
 use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::text;
 use crate::emit::markdown::page::Page;
+use crate::emit::markdown::picture;
 use crate::emit::markdown::table::Table;
 use crate::model::{Connector, Led};
 
@@ -11,6 +12,9 @@ pub(super) fn page(context: &Context<'_>, connectors: &[Connector], leds: &[Led]
     let mut page = Page::default();
     page.table(sockets(context, connectors));
     page.table(lights(context, leds));
+    if leds.iter().any(|led| !led.patterns.is_empty()) {
+        context.picture(&mut page, || picture::lights(leds));
+    }
     page
 }
 

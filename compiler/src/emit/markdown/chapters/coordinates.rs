@@ -4,7 +4,7 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{code, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{AxisGroup, Coordinates, Group, Index};
+use crate::model::{Address, AxisGroup, Coordinates, Group, Index};
 
 /// How numbers of parameters and addresses lead to one another.
 pub(super) fn page(context: &Context<'_>, coordinates: &Coordinates) -> Page {
@@ -17,7 +17,34 @@ pub(super) fn page(context: &Context<'_>, coordinates: &Coordinates) -> Page {
     let titles = ["Group", "Parameters", "Number", "Indices"];
     page.table(Table::of(titles, &coordinates.groups, |it| group(context, it)));
     page.text(context.said_line(coordinates.source.as_ref(), &coordinates.origin));
+    page.titled("By number", by_number(context));
     page
+}
+
+/// The vendor's parameters in the order of their numbers, with the objects that they are.
+fn by_number(context: &Context<'_>) -> Table {
+    let mut rows: Vec<(&str, Address)> = Vec::new();
+    for object in context.leading_objects() {
+        let whole = object.parameter.as_deref();
+        rows.extend(whole.map(|number| (number, Address { index: object.index, subindex: 0 })));
+        let entries = object.entries.iter();
+        rows.extend(entries.filter_map(|entry| Some((entry.parameter.as_deref()?, entry.address))));
+    }
+    rows.sort_by_key(|(number, address)| (key(number), *address));
+    rows.dedup();
+    Table::of(["Parameter", "Object", "Name"], rows, |(number, address)| {
+        let name = context.name(address).map_or(String::new(), |name| text(&name));
+        [text(number), context.address(address), name]
+    })
+}
+
+/// What a number is sorted by: its letters, and then what it counts, so that A29 stands before A180.
+fn key(number: &str) -> (&str, u32, &str) {
+    let letters = number.find(|c: char| c.is_ascii_digit()).unwrap_or(number.len());
+    let (group, rest) = number.split_at(letters);
+    let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+    let (line, element) = rest.split_at(digits);
+    (group, line.parse().unwrap_or(u32::MAX), element)
 }
 
 /// The formula, with a worked example of the first group that has a number.

@@ -5,7 +5,7 @@ use crate::emit::markdown::inline::{code, link, list, text};
 use crate::emit::markdown::number::bytes;
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Eeprom, Identity, Limit, Role, Source};
+use crate::model::{Eeprom, Identity, Limit, Role, Source, Translations};
 use crate::source::Origin;
 
 /// What is said of a device before anything else.
@@ -21,6 +21,10 @@ pub(in crate::emit::markdown) struct Head<'d> {
     pub(super) eeprom: &'d Eeprom,
     pub(super) limits: &'d [Limit],
     pub(super) source: Option<&'d Source>,
+    pub(super) names: &'d Translations,
+    pub(super) ebus_current: Option<i32>,
+    pub(super) url: Option<&'d str>,
+    pub(super) urls: &'d Translations,
     pub(super) origin: &'d Origin,
 }
 
@@ -44,6 +48,7 @@ fn facts(context: &Context<'_>, head: &Head<'_>) -> Table {
     };
     let rows = [
         ("Vendor", text(head.vendor)),
+        ("Also called", in_languages(head.names)),
         ("Models", list(head.models.iter().map(|model| text(model)))),
         ("Type", code(head.type_name)),
         ("Group", text(head.group)),
@@ -51,10 +56,30 @@ fn facts(context: &Context<'_>, head: &Head<'_>) -> Table {
         ("Axes", axes),
         ("Process data", process_data(context)),
         ("Ports", ports(head.physics)),
+        ("E-bus", head.ebus_current.map_or(String::new(), current)),
         ("EEPROM", memory(head.eeprom)),
+        ("Web page", addresses(head)),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
     Table::of(["Device", "Facts"], rows, |(name, value)| [name.into(), value])
+}
+
+/// A text in other languages, each with its code.
+fn in_languages(texts: &Translations) -> String {
+    list(texts.iter().map(|it| format!("{} ({})", text(&it.text), it.language)))
+}
+
+fn addresses(head: &Head<'_>) -> String {
+    let english = head.url.iter().map(|url| text(url));
+    let others = (!head.urls.is_empty()).then(|| in_languages(head.urls));
+    list(english.chain(others))
+}
+
+fn current(milliamperes: i32) -> String {
+    match milliamperes {
+        0.. => format!("takes {milliamperes} mA"),
+        _ => format!("gives {} mA", milliamperes.unsigned_abs()),
+    }
 }
 
 fn process_data(context: &Context<'_>) -> String {
@@ -79,10 +104,16 @@ fn ports(physics: &str) -> String {
 }
 
 fn memory(eeprom: &Eeprom) -> String {
-    let Eeprom { size, config_data, source: _, origin: _ } = eeprom;
+    let Eeprom { size, config_data, bootstrap: _, source: _, origin: _ } = eeprom;
     let config: Vec<String> = config_data.0.iter().map(|byte| format!("{byte:02X}")).collect();
-    let size = bytes(*size);
-    if config.is_empty() { size } else { format!("{size}, begins with {}", code(config.join(" "))) }
+    let begin =
+        if config.is_empty() { String::new() } else { format!(", begins with {}", code(config.join(" "))) };
+    let area =
+        |(address, size): (u16, u16)| format!("{} bytes at {}", size, code(format!("0x{address:04X}")));
+    let boot = eeprom.boot_mailbox().map(|areas| areas.map(area));
+    let boot =
+        boot.map_or(String::new(), |[out, into]| format!(", mailbox in Bootstrap: {out} out, {into} in"));
+    format!("{}{begin}{boot}", bytes(*size))
 }
 
 fn limits(context: &Context<'_>, limits: &[Limit]) -> Table {

@@ -5,14 +5,19 @@ use crate::emit::markdown::context::Context;
 use crate::emit::markdown::inline::{anchor, code, link, list, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{ErrorCode, Index, Meaning, VendorCode};
+use crate::model::{DiagnosisMessage, ErrorCode, Index, Meaning, VendorCode};
 
 const ERROR_REGISTER: Index = Index(0x1001);
 
 /// The codes of errors, and what they mean.
-pub(super) fn page(context: &Context<'_>, errors: &[ErrorCode], vendor_codes: &[VendorCode]) -> Page {
+pub(super) fn page(
+    context: &Context<'_>,
+    errors: &[ErrorCode],
+    vendor_codes: &[VendorCode],
+    diagnosis: &[DiagnosisMessage],
+) -> Page {
     let mut page = Page::default();
-    if errors.is_empty() && vendor_codes.is_empty() {
+    if errors.is_empty() && vendor_codes.is_empty() && diagnosis.is_empty() {
         return page;
     }
     let register = context.device.words.iter().find(|word| word.address.index == ERROR_REGISTER);
@@ -21,6 +26,7 @@ pub(super) fn page(context: &Context<'_>, errors: &[ErrorCode], vendor_codes: &[
         page.text(format!("The bits of the register are those of the {word}."));
     }
     page.table(error_table(context, errors));
+    page.titled("Diagnosis messages", message_table(context, diagnosis));
     page.titled("The vendor's own codes", vendor_table(context, vendor_codes));
     page
 }
@@ -45,6 +51,24 @@ fn error_table(context: &Context<'_>, errors: &[ErrorCode]) -> Table {
             format!("**{}**", text(name)),
             register.map_or(String::new(), |register| code(format!("0x{register:02X}"))),
             list(vendor_codes.iter().map(|code| vendor_code(context, *code))),
+            context.optional(about.as_deref()),
+            context.optional(remedy.as_deref()),
+            context.said(source.as_ref(), origin),
+        ]
+    })
+}
+
+/// The messages of the diagnosis history.
+fn message_table(context: &Context<'_>, messages: &[DiagnosisMessage]) -> Table {
+    let titles = ["Text id", "Message", "Class", "Meaning", "What to do", "Source"];
+    Table::of(titles, messages, |message| {
+        // The reference is in English.
+        let DiagnosisMessage { text_id, text: says, texts: _, class, about, remedy, source, origin } =
+            message;
+        [
+            format!("{}{}", anchor(format!("message-{text_id:04x}")), code(format!("0x{text_id:04X}"))),
+            format!("**{}**", text(says)),
+            class.map_or(String::new(), |class| text(class.name())),
             context.optional(about.as_deref()),
             context.optional(remedy.as_deref()),
             context.said(source.as_ref(), origin),

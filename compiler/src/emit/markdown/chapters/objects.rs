@@ -2,6 +2,7 @@
 
 mod area;
 mod detail;
+mod kinds;
 mod marks;
 mod overview;
 mod per_axis;

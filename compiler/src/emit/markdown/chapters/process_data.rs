@@ -1,10 +1,12 @@
 //! The process data objects and how their bytes are laid out.
 
 use crate::emit::markdown::context::Context;
+use crate::emit::markdown::holds::Holds;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, place, width};
 use crate::emit::markdown::page::Page;
-use crate::emit::markdown::table::Table;
+use crate::emit::markdown::picture;
+use crate::emit::markdown::table::{Table, Title};
 use crate::model::{Address, Direction, Mapped, Pdo, Role};
 
 /// The process data objects and how their bytes are laid out.
@@ -36,9 +38,8 @@ fn direction(context: &Context<'_>, way: Direction, role: Role, page: &mut Page)
 
 /// A line for each PDO, with its index on the other axes.
 fn overview(context: &Context<'_>, pdos: &[&Pdo]) -> Table {
-    let axes = context.axis_names().skip(1).map(|name| format!("on {}", text(name)));
-    let titles = ["PDO", "Name", "Size", "Mode", "Not with"].map(String::from);
-    let mut table = Table::new(titles.into_iter().chain(axes));
+    let titles = ["PDO", "Name", "Size", "Mode", "Not with"].map(Title::from);
+    let mut table = Table::new(titles.into_iter().chain(context.axis_titles("on").skip(1)));
     for pdo in pdos {
         let others = context.pdo_on_axes(pdo).into_iter().skip(1);
         let others = others.map(|other| other.map_or(String::new(), |other| code(other.index)));
@@ -60,12 +61,14 @@ fn image(context: &Context<'_>, role: Role) -> Table {
     let mut offset = 0;
     for pdo in context.device.assigned(role) {
         let axis = pdo.axis.and_then(|axis| context.device.axes.get(usize::from(axis)));
-        table.row([
+        let holds = pdo.axis.map_or_else(Holds::default, |axis| Holds::on_axes(&[axis]));
+        let row = [
             place(offset, pdo.bits()),
             context.index(pdo.index),
             text(&pdo.name),
             axis.filter(|_| context.has_axes()).map_or(String::new(), |axis| text(&axis.name)),
-        ]);
+        ];
+        table.row_for(holds, row);
         offset += pdo.bits();
     }
     table
@@ -75,6 +78,7 @@ fn pdo(context: &Context<'_>, pdo: &Pdo, page: &mut Page) {
     page.place(4, context.pdo_id(pdo), format!("{} {}", code(pdo.index), text(&pdo.name)));
     page.text(context.paragraphs(pdo.about.as_deref()));
     page.text(facts(context, pdo).join(" · "));
+    context.picture(page, || picture::bytes(pdo));
     page.table(layout(context, pdo));
     page.text(context.said_line(pdo.source.as_ref(), &pdo.origin));
 }
@@ -92,6 +96,7 @@ fn facts(context: &Context<'_>, pdo: &Pdo) -> Vec<String> {
         total,
         direction: _,
         name: _,
+        names: _,
         axis: _,
         entries: _,
         excludes: _,

@@ -3,7 +3,8 @@
 pub(super) mod control;
 
 use crate::emit::markdown::context::Context;
-use crate::emit::markdown::inline::{code, list, text};
+use crate::emit::markdown::holds::Form;
+use crate::emit::markdown::inline::{self, code, list, text};
 use crate::emit::markdown::machine::Machine;
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
@@ -137,7 +138,7 @@ fn transition_table(context: &Context<'_>, transitions: &[Transition]) -> Table 
     let titles = ["No.", "From", "To", "Set off by", "Axes", "Power", "What happens", "Source"];
     Table::of(titles, transitions, |transition| {
         [
-            format!("**{}**", transition.number),
+            format!("{}**{}**", anchor(context, transition), transition.number),
             from(context, transition),
             context.state(&transition.to),
             cause(context, transition),
@@ -147,6 +148,14 @@ fn transition_table(context: &Context<'_>, transitions: &[Transition]) -> Table 
             context.said(transition.source.as_ref(), &transition.origin),
         ]
     })
+}
+
+/// Where the arrows of the picture lead to, which a text has not.
+fn anchor(context: &Context<'_>, transition: &Transition) -> String {
+    match context.form {
+        Form::Text => String::new(),
+        Form::Page => inline::anchor(format!("transition-{}", transition.number)),
+    }
 }
 
 fn from(context: &Context<'_>, transition: &Transition) -> String {

@@ -5,7 +5,7 @@ use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::duration;
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{CycleTime, DeadTime, SyncMode, SyncSignal};
+use crate::model::{CycleTime, DeadTime, ModePdo, SyncMode, SyncSignal};
 
 /// The cycles that the dead time is worked out for.
 const EXAMPLES_NS: [u64; 2] = [1_000_000, 2_000_000];
@@ -32,10 +32,26 @@ fn modes(context: &Context<'_>, sync_modes: &[SyncMode]) -> Table {
             code(format!("0x{:04X}", mode.assign_activate)),
             mode.sync0.as_ref().map_or(String::new(), signal),
             mode.sync1.as_ref().map_or(String::new(), signal),
-            context.optional(mode.about.as_deref()),
+            notes(context, mode),
             context.said(mode.source.as_ref(), &mode.origin),
         ]
     })
+}
+
+/// What it makes of the sync managers, and what else is said.
+fn notes(context: &Context<'_>, mode: &SyncMode) -> String {
+    let managers = mode.managers.iter().map(|manager| {
+        let pdo = |it: &ModePdo| {
+            let times = it.oversampling.map(|times| format!(", {times} times"));
+            format!("{}{}", context.index(it.pdo), times.unwrap_or_default())
+        };
+        let pdos = manager.pdos.iter().map(pdo).collect::<Vec<_>>().join("; ");
+        let kind = manager.sync_type.map(|kind| format!("type of synchronisation {kind}"));
+        let said = [Some(pdos).filter(|pdos| !pdos.is_empty()), kind].into_iter().flatten();
+        format!("{}: {}", text(&manager.id), said.collect::<Vec<_>>().join("; "))
+    });
+    let about = mode.about.iter().map(|about| context.prose(about));
+    about.chain(managers).collect::<Vec<_>>().join("<br>")
 }
 
 fn name(mode: &SyncMode) -> String {

@@ -1,6 +1,7 @@
 //! What raw numbers mean, with an example that can be checked by hand.
 
 use crate::emit::markdown::context::Context;
+use crate::emit::markdown::holds::Holds;
 use crate::emit::markdown::inline::{anchor, text};
 use crate::emit::markdown::number::{decimal, fraction, grouped};
 use crate::emit::markdown::page::Page;
@@ -14,7 +15,9 @@ pub(super) fn page(context: &Context<'_>, all: &[Unit]) -> Page {
     let mut units = Table::new(titles);
     for unit in all {
         for (number, (axes, on_axis)) in groups(unit).into_iter().enumerate() {
-            units.row(row(context, unit, number == 0, &axes, on_axis));
+            // the first row names the quantity, and stands for all
+            let holds = if number == 0 { Holds::default() } else { Holds::on_axes(&axes) };
+            units.row_for(holds, row(context, unit, number == 0, &axes, on_axis));
         }
     }
     let mut page = Page::default();

@@ -4,6 +4,7 @@ use crate::emit::markdown::context::{Context, mode_label};
 use crate::emit::markdown::inline::{code, link, text};
 use crate::emit::markdown::number::width;
 use crate::emit::markdown::page::Page;
+use crate::emit::markdown::picture;
 use crate::emit::markdown::table::Table;
 use crate::model::{Field, Meaning, Word};
 
@@ -14,12 +15,13 @@ pub(super) fn page(context: &Context<'_>, words: &[Word]) -> Page {
     page
 }
 
-fn word(context: &Context<'_>, word: &Word, page: &mut Page) {
-    let Word { id, name, address, bits, fields, about, source, origin } = word;
+fn word(context: &Context<'_>, whole: &Word, page: &mut Page) {
+    let Word { id, name, address, bits, fields, about, source, origin } = whole;
     page.place(3, context.word_id(id), text(name));
     let facts = format!("The {} of {}.", width(*bits), context.named(*address));
     page.text(format!("{facts} {}", context.paragraphs(about.as_deref())));
-    page.table(table("Bit", fields, |field| meaning(context, word, field)));
+    context.picture(page, || picture::word(whole));
+    page.table(table("Bit", fields, |field| meaning(context, whole, field)));
     page.text(context.said_line(source.as_ref(), origin));
 }
 

@@ -1,18 +1,15 @@
 //! What is written once for all axes: the first axis stands for the others.
 
 use super::Context;
+use crate::emit::markdown::holds::{Form, Holds};
 use crate::emit::markdown::inline::text;
-use crate::model::{Index, Object, Pdo, Repeated};
+use crate::emit::markdown::table::Title;
+use crate::model::{Axis, Index, Object, Pdo, Repeated};
 
 impl<'a> Context<'a> {
     /// Whether there is more than one axis.
     pub(in crate::emit::markdown) fn has_axes(&self) -> bool {
         self.device.axes.len() > 1
-    }
-
-    /// The names of the axes.
-    pub(in crate::emit::markdown) fn axis_names(&self) -> impl Iterator<Item = &'a str> {
-        self.device.axes.iter().map(|axis| axis.name.as_str())
     }
 
     /// Axes in running text: `all axes`, `axis X`, `axes Y to W`.
@@ -22,6 +19,28 @@ impl<'a> Context<'a> {
             [_] => format!("axis {}", self.axis_range(numbers)),
             _ => format!("axes {}", self.axis_range(numbers)),
         }
+    }
+
+    /// A text that holds on some axes only.
+    pub(in crate::emit::markdown) fn for_axes(&self, numbers: &[u8], text: String) -> String {
+        match self.form {
+            Form::Text => text,
+            Form::Page => Holds::on_axes(numbers).around("", &text),
+        }
+    }
+
+    /// The names of the axes.
+    pub(in crate::emit::markdown) fn axis_names(&self) -> impl Iterator<Item = &'a str> {
+        self.device.axes.iter().map(|axis| axis.name.as_str())
+    }
+
+    /// The title of a column for each axis.
+    pub(in crate::emit::markdown) fn axis_titles(&self, word: &str) -> impl Iterator<Item = Title> {
+        let title = move |axis: &Axis| Title {
+            text: format!("{word} {}", text(&axis.name)),
+            holds: Holds::on_axes(&[axis.number]),
+        };
+        self.device.axes.iter().map(title)
     }
 
     /// Axes by name: `X`, `Y to W`, `X, Z`.

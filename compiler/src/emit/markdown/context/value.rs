@@ -2,7 +2,8 @@
 
 use super::Context;
 use crate::emit::markdown::inline::{code, text};
-use crate::model::{DataType, Entry, Index, Value};
+use crate::emit::markdown::number::decimal;
+use crate::model::{DataType, Entry, Index, Scale, Value};
 
 impl Context<'_> {
     /// A value of an entry.
@@ -22,18 +23,40 @@ impl Context<'_> {
 
     /// A default, if there is one.
     pub(in crate::emit::markdown) fn default(&self, entry: &Entry) -> String {
-        entry.default.as_ref().map_or(String::new(), |value| self.value(entry, value))
+        let Some(value) = &entry.default else { return String::new() };
+        self.value(entry, value) + &self.scaled(entry, [Some(value)])
     }
 
     /// The least and the greatest value, if one is given.
     pub(in crate::emit::markdown) fn range(&self, entry: &Entry) -> String {
         let show = |value: &Option<Value>| value.as_ref().map(|value| self.value(entry, value));
-        match (show(&entry.min), show(&entry.max)) {
+        let range = match (show(&entry.min), show(&entry.max)) {
             (Some(min), Some(max)) => format!("{min} to {max}"),
             (Some(min), None) => format!("{min} or more"),
             (None, Some(max)) => format!("up to {max}"),
-            (None, None) => String::new(),
-        }
+            (None, None) => return String::new(),
+        };
+        range + &self.scaled(entry, [entry.min.as_ref(), entry.max.as_ref()])
+    }
+
+    /// Raw values in their unit, in brackets, where a step is not one of it; a raw number beside the name of a unit would mislead.
+    fn scaled<const N: usize>(&self, entry: &Entry, values: [Option<&Value>; N]) -> String {
+        let physical = || {
+            let (scale, symbol) = self.scale(entry)?;
+            let values = values.iter().flatten().map(|value| physical(value.integer()?, scale));
+            let values: Option<Vec<String>> = values.collect();
+            let values = values.filter(|values| values.iter().any(|value| value != "0"))?;
+            Some(format!(" ({} {symbol})", values.join(" to ")))
+        };
+        physical().unwrap_or_default()
+    }
+
+    /// How an entry is scaled, if that is the same on all axes and a step is not one of its unit.
+    fn scale(&self, entry: &Entry) -> Option<(Scale, String)> {
+        let unit = self.device.unit(entry.unit.as_deref().filter(|_| !self.is_flags(entry))?)?;
+        let first = unit.axes.first().filter(|first| unit.axes.iter().all(|other| other == *first))?;
+        let scale = first.scale.filter(|scale| scale.raw != scale.units)?;
+        Some((scale, text(&first.symbol)))
     }
 
     /// Whether the digits of a value are bits or a code rather than an amount.
@@ -42,6 +65,12 @@ impl Context<'_> {
         let word = self.device.words.iter().any(|word| word.address == entry.address);
         bits || word || is_code(entry.address.index, entry.address.subindex)
     }
+}
+
+/// A raw number as so many units, if that is a decimal number that ends.
+fn physical(raw: i128, scale: Scale) -> Option<String> {
+    let number = decimal(raw.unsigned_abs().checked_mul(scale.units.into())?, scale.raw.into())?;
+    Some(if raw < 0 { format!("−{number}") } else { number })
 }
 
 /// Device type, error codes, identity, and what the mapping and assignment objects hold.

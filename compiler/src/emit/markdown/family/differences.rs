@@ -1,6 +1,7 @@
 //! What tells the members of a family apart, side by side.
 
 use crate::emit::markdown::context::Context;
+use crate::emit::markdown::holds::Form;
 use crate::emit::markdown::inline::{code, list, text};
 use crate::emit::markdown::number::{bytes, duration};
 use crate::emit::markdown::table::Table;
@@ -98,7 +99,7 @@ fn answer(yes: bool) -> String {
 
 /// The PDOs that a sync manager has at start-up, with the bytes that they make.
 fn assigned(device: &Device, role: Role) -> String {
-    let context = Context::new(device, &[], false);
+    let context = Context::new(device, &[], false, Form::Text);
     let pdos = list(device.assigned(role).map(|pdo| context.index(pdo.index)));
     format!("{}: {pdos}", bytes(device.image_bytes(role)))
 }

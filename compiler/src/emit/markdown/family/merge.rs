@@ -7,6 +7,7 @@ use super::align::{Unit, align};
 use super::names::Names;
 use super::sections::{Led, Section, leads_up};
 use super::{rows, sentences};
+use crate::emit::markdown::holds::{Form, Holds};
 use crate::emit::markdown::page::{Block, Page};
 
 /// The references being brought together.
@@ -16,11 +17,11 @@ struct Merge<'n> {
 }
 
 /// Brings the references of members into one, where `names` are the words for them.
-pub(super) fn merge(names: &[String], pages: Vec<Page>) -> Page {
+pub(super) fn merge(names: &[String], form: Form, pages: Vec<Page>) -> Page {
     let sections = pages.into_iter().map(Section::split).enumerate();
     let same = |one: &Section, other: &Section| one.heading == other.heading;
     let akin = |one: &Section, other: &Section| one.anchor().is_some() && one.anchor() == other.anchor();
-    let mut merge = Merge { names: Names(names), page: Page::default() };
+    let mut merge = Merge { names: Names::new(names, form), page: Page::default() };
     let mut open: Vec<(usize, Vec<usize>)> = vec![(0, (0..names.len()).collect())];
     for unit in align(sections, same, akin) {
         let level = unit.items.first().map_or(0, |(_, section)| section.level());
@@ -35,17 +36,28 @@ pub(super) fn merge(names: &[String], pages: Vec<Page>) -> Page {
 impl Merge<'_> {
     fn section(&mut self, unit: Unit<Section>, around: &[usize]) {
         let members = unit.members();
-        let heading = unit.items.first().and_then(|(_, section)| section.heading.clone());
+        let mut heading = unit.items.first().and_then(|(_, section)| section.heading.clone());
+        if let Some(heading) = heading.as_mut().filter(|_| members != around) {
+            heading.holds = Holds::for_members(&members);
+        }
         self.page.0.extend(heading.map(Block::Heading));
         if members != around {
-            self.page.text(format!("*Only {}.*", self.names.running(&members)));
+            self.page.text(self.names.line("Only ", &members, "."));
         }
         let blocks = unit.items.into_iter().map(|(member, section)| (member, section.blocks));
         let mut told = members.clone();
         for unit in align(blocks, Led::is_version, |_, _| false) {
             // A caption has said already for whom the next block is.
-            let is_told = self.page.0.last().and_then(leads_up).is_some();
-            self.unit(&unit, if is_told { &told } else { &members });
+            let last = self.page.0.iter().rfind(|block| block.is_read());
+            let is_told = last.and_then(leads_up).is_some();
+            let around = if is_told { &told } else { &members };
+            if unit.members() == members {
+                self.unit(&unit, around);
+            } else {
+                self.page.0.push(Block::Open(Holds::for_members(&unit.members())));
+                self.unit(&unit, around);
+                self.page.0.push(Block::Close);
+            }
             told = unit.members();
         }
     }
@@ -54,7 +66,7 @@ impl Merge<'_> {
     fn unit(&mut self, unit: &Unit<Led>, around: &[usize]) {
         let members = unit.members();
         let Some(block) = self.versions(unit) else { return };
-        let label = format!("*{}:*", self.names.running(&members));
+        let label = self.names.line("", &members, ":");
         match block {
             block if members == around => self.page.0.push(block),
             Block::Text(text) if is_running(&text) => self.page.text(format!("{label} {text}")),
@@ -95,6 +107,7 @@ impl Merge<'_> {
                 Block::Text(sentences::text(&self.names, &texts.collect::<Vec<_>>()))
             }
             Block::Heading(_) | Block::Lines(_) | Block::Machine(_) => first.clone(),
+            Block::Picture(_) | Block::Open(_) | Block::Close => first.clone(),
         })
     }
 }
@@ -115,7 +128,7 @@ fn with_first_anchors(mut page: Page) -> Page {
             Block::List(items) => items.iter_mut().for_each(|item| first_anchors(&mut item.text, &mut seen)),
             Block::Table(table) => table.cells_mut().for_each(|cell| first_anchors(cell, &mut seen)),
             Block::Text(text) | Block::Lines(text) => first_anchors(text, &mut seen),
-            Block::Machine(_) => {}
+            Block::Machine(_) | Block::Picture(_) | Block::Open(_) | Block::Close => {}
         }
     }
     page

@@ -13,7 +13,7 @@ pub(super) fn list(names: &Names<'_>, versions: Vec<(usize, Vec<&Item>)>) -> Vec
         let (_, first) = unit.items.first()?;
         let texts: Vec<(usize, &str)> =
             unit.items.iter().map(|(member, item)| (*member, &*item.text)).collect();
-        let text = format!("{}{}", text(names, &texts), names.remark(&unit.members(), &members));
+        let text = names.remarked(&text(names, &texts), &unit.members(), &members);
         Some(Item { depth: first.depth, text })
     });
     items.collect()
@@ -26,7 +26,7 @@ pub(super) fn text(names: &Names<'_>, versions: &[(usize, &str)]) -> String {
     let sentences = align(sentences, |one: &&str, other: &&str| one == other, opens_alike);
     let sentences = sentences.iter().filter_map(|unit: &Unit<&str>| {
         let (_, sentence) = unit.items.first()?;
-        Some(format!("{sentence}{}", names.remark(&unit.members(), &members)))
+        Some(names.remarked(sentence, &unit.members(), &members))
     });
     sentences.collect::<Vec<_>>().join(" ")
 }
@@ -38,11 +38,12 @@ pub(super) fn is_version(one: &str, other: &str) -> bool {
     one == other || opening(one) == opening(other) || label(one).is_some_and(labelled)
 }
 
-/// The first sentence, up to its full stop.
+/// The first sentence, up to its full stop. What holds for some axes only stands in a span, which is in one sentence.
 fn opening(text: &str) -> &str {
-    let ends = |(stop, _): &(usize, &str)| text.as_bytes().get(stop + 1) == Some(&b' ');
-    let stop = text.match_indices('.').find(ends);
-    stop.and_then(|(stop, _)| text.get(..=stop)).unwrap_or(text)
+    let is_whole = |part: &str| part.matches("<span").count() == part.matches("</span>").count();
+    let ends = |part: &&str| (part.ends_with('.') || part.ends_with(".</span>")) && is_whole(part);
+    let parts = text.match_indices(' ').filter_map(|(space, _)| text.get(..space));
+    parts.into_iter().find(ends).unwrap_or(text)
 }
 
 /// Sentences by their full stops.
@@ -65,6 +66,7 @@ fn opens_alike(one: &&str, other: &&str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::emit::markdown::holds::Form;
 
     #[test]
     fn a_sentence_that_not_all_have_says_who_has_it() {
@@ -73,12 +75,12 @@ mod tests {
         let lists = [item("**x**: One. Mapped in 1. Last."), item("**x**: One. Mapped in 2. Last.")];
         let [one, other] = &lists;
         assert_eq!(
-            list(&Names(&names), vec![(0, vec![one]), (1, vec![other])]),
+            list(&Names::new(&names, Form::Text), vec![(0, vec![one]), (1, vec![other])]),
             [item("**x**: One. Mapped in 1. *(A)* Mapped in 2. *(B)* Last.")]
         );
         let (a, b) = (item("a"), item("b"));
         assert_eq!(
-            list(&Names(&names), vec![(0, vec![&a, &b]), (1, vec![&b])]),
+            list(&Names::new(&names, Form::Text), vec![(0, vec![&a, &b]), (1, vec![&b])]),
             [item("a *(A)*"), item("b")]
         );
     }

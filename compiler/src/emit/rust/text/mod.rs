@@ -54,8 +54,9 @@ impl Emitter for Rust {
         true
     }
 
-    fn emit(&self, family: &Checked<Family>, _: &crate::emit::Options) -> Files {
-        Files::one(format!("{}.rs", family.id), text(family, &Options::default()))
+    fn emit(&self, family: &Checked<Family>, options: &crate::emit::Options) -> Files {
+        let options = Options { dictionary: options.dictionary, ..Options::default() };
+        Files::one(format!("{}.rs", family.id), text(family, &options))
     }
 }
 

@@ -5,7 +5,7 @@ use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{anchor, code, link, list, sentence, text};
 use crate::emit::markdown::page::Page;
 use crate::emit::markdown::table::Table;
-use crate::model::{Entry, Mode, Object, Pdo, Source, Trigger};
+use crate::model::{Entry, Mode, Object, Pdo, Property, Source, Trigger};
 use crate::source::Origin;
 
 /// What there is to say of an object.
@@ -88,7 +88,7 @@ struct Facts<'a> {
     about: Option<&'a str>,
     note: Option<&'a str>,
     functional: bool,
-    parameter: Option<&'a str>,
+    properties: &'a [Property],
     backup: bool,
     setting: bool,
 }
@@ -100,15 +100,17 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
-            parameter,
+            properties,
             index: _,
             id: _,
             name: _,
+            names: _,
             kind: _,
             axis: _,
             category: _,
             entries: _,
             derived: _,
+            parameter: _,
             leading: _,
             source: _,
             origin,
@@ -118,7 +120,7 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
-            parameter: parameter.as_deref(),
+            properties,
             backup: false,
             setting: false,
         }
@@ -130,12 +132,14 @@ impl<'a> Facts<'a> {
             about,
             note,
             functional,
-            parameter,
+            properties,
             backup,
             setting,
+            parameter: _,
             address: _,
             id: _,
             name: _,
+            names: _,
             data_type: _,
             access: _,
             pdo: _,
@@ -155,7 +159,7 @@ impl<'a> Facts<'a> {
             about: about.as_deref(),
             note: note.as_deref(),
             functional: *functional,
-            parameter: parameter.as_deref(),
+            properties,
             backup: *backup,
             setting: *setting,
         }
@@ -167,11 +171,10 @@ impl<'a> Facts<'a> {
         let marked = |key: &str, text: &str| sentence(&context.prose(text)) + &context.mark(self.origin, key);
         let about = self.about.map(|about| marked("about", about));
         let note = self.note.map(|note| marked("note", note));
-        let parameter =
-            self.parameter.map(|parameter| format!("The vendor's parameter {}.", text(parameter)));
         let backup = self.backup.then(|| "A backup of the device holds it.".into());
         let setting = self.setting.then(|| "It is one of the settings of an application.".into());
-        [functional, about, note, parameter, backup, setting].into_iter().flatten().collect()
+        let said = [functional, about, note, backup, setting].into_iter().flatten();
+        said.chain(self.properties.iter().map(property)).collect()
     }
 }
 
@@ -220,4 +223,12 @@ fn values(context: &Context<'_>, object: &Object, entry: &Entry, page: &mut Page
         let about = context.optional(meaning.about.as_deref());
         [context.number_of(entry, meaning.value.into()), text(&meaning.name), about]
     }));
+}
+
+/// What the vendor's tools are told.
+fn property(property: &Property) -> String {
+    let Property { name, value, about } = property;
+    let value = value.as_ref().map_or(String::new(), |value| format!(" {}", code(value)));
+    let about = about.as_ref().map_or(String::new(), |about| format!(": {}", text(about)));
+    sentence(&format!("{}{value}{about}", text(name)))
 }

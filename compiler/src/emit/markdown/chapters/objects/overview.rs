@@ -1,8 +1,12 @@
 //! The table of an area: a line for each value.
 
+use std::collections::BTreeSet;
+
 use super::is_mapping;
+use super::kinds;
 use super::marks::{Marks, demanded};
 use crate::emit::markdown::context::{Context, is_single};
+use crate::emit::markdown::holds::Holds;
 use crate::emit::markdown::inline::{anchor, code, link, text};
 use crate::emit::markdown::table::Table;
 use crate::model::{Access, Category, DataType, Entry, Kind, Mappable, Object, Value};
@@ -18,8 +22,19 @@ pub(super) struct Lines<'c, 'a> {
 impl<'c, 'a> Lines<'c, 'a> {
     /// No lines yet of these objects.
     pub(super) fn new(context: &'c Context<'a>, objects: &[&Object]) -> Self {
-        let titles =
-            ["Index", "Name", "Type", "Access", "PDO", "Default", "Unit", "Range", "Need", "Written in"];
+        let titles = [
+            "Index",
+            "Name",
+            "Type",
+            "Access",
+            "PDO",
+            "Default",
+            "Unit",
+            "Range",
+            "Need",
+            "Written in",
+            "Parameter",
+        ];
         Self { context, marks: Marks::new(context, objects), table: Table::new(titles) }
     }
 
@@ -30,19 +45,23 @@ impl<'c, 'a> Lines<'c, 'a> {
         match object.entries.as_slice() {
             [only] if is_single(object) => {
                 let need = demanded(object, only);
-                let facts = self.facts(only, need);
-                self.line([index, name], facts);
+                let mut facts = self.facts(only, need);
+                if let Some(parameter) = &object.parameter {
+                    facts[8] = text(parameter);
+                }
+                self.line(kinds::single(object, only), [index, name], facts);
             }
             entries => {
-                let mut head: [String; 8] = Default::default();
+                let mut head: [String; 9] = Default::default();
                 head[0] = kind(object.kind).into();
                 head[6] = self.marks.category(object.category);
-                self.line([index, name], head);
+                head[8] = object.parameter.as_deref().map_or(String::new(), text);
+                self.line(kinds::compound(object), [index, name], head);
                 let shown = |entry: &&Entry| !is_mapping(self.context, object) && !is_count(object, entry);
                 for entry in entries.iter().filter(shown).collect::<Vec<_>>() {
                     let subindex = format!("&emsp;{}", code(format!(":{:02X}", entry.address.subindex)));
                     let facts = self.facts(entry, entry.category);
-                    self.line([subindex, text(&entry.name)], facts);
+                    self.line(kinds::entry(entry), [subindex, text(&entry.name)], facts);
                 }
             }
         }
@@ -53,8 +72,9 @@ impl<'c, 'a> Lines<'c, 'a> {
         self.marks.legend()
     }
 
-    fn line(&mut self, name: [String; 2], facts: [String; 8]) {
-        self.table.row(name.into_iter().chain(facts));
+    fn line(&mut self, kinds: BTreeSet<&'static str>, name: [String; 2], facts: [String; 9]) {
+        let holds = Holds { kinds, ..Holds::default() };
+        self.table.row_for(holds, name.into_iter().chain(facts));
     }
 
     fn index(&self, object: &Object, described: bool) -> String {
@@ -66,7 +86,7 @@ impl<'c, 'a> Lines<'c, 'a> {
         }
     }
 
-    fn facts(&mut self, entry: &Entry, need: Category) -> [String; 8] {
+    fn facts(&mut self, entry: &Entry, need: Category) -> [String; 9] {
         let context = self.context;
         let window = entry.written.map_or(String::new(), |window| code(window.name()));
         [
@@ -78,6 +98,7 @@ impl<'c, 'a> Lines<'c, 'a> {
             self.marks.fact(context, entry, &["min", "max"], context.range(entry)),
             self.marks.category(need),
             self.marks.fact(context, entry, &["written"], window),
+            entry.parameter.as_deref().map_or(String::new(), text),
         ]
     }
 }

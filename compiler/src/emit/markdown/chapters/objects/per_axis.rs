@@ -4,13 +4,12 @@ use super::is_mapping;
 use super::overview::{access, mappable};
 use crate::emit::markdown::context::{Context, is_single};
 use crate::emit::markdown::inline::{code, link, sentence, text};
-use crate::emit::markdown::table::Table;
+use crate::emit::markdown::table::{Table, Title};
 use crate::model::{Entry, Object};
 
 /// The index of each object on each axis.
 pub(super) fn indices(context: &Context<'_>, objects: &[&Object]) -> Table {
-    let names = context.axis_names().map(|name| format!("Axis {}", text(name)));
-    let mut table = Table::new([String::from("Object")].into_iter().chain(names));
+    let mut table = Table::new([Title::from("Object")].into_iter().chain(context.axis_titles("Axis")));
     let own = |object: &&&Object| object.axis.is_some() && !is_mapping(context, object);
     for object in objects.iter().filter(|_| context.has_axes()).filter(own) {
         let name = link(text(&object.name), context.object_id(object));
@@ -36,7 +35,11 @@ pub(super) fn differences(context: &Context<'_>, leading: &Object) -> Vec<String
         }
     }
     let told = groups.into_iter().filter(|(_, text)| !text.is_empty());
-    told.map(|(axes, text)| sentence(&format!("on {}: {text}", context.axes(&axes)))).collect()
+    let told = told.map(|(axes, text)| {
+        let words = sentence(&format!("on {}: {text}", context.axes(&axes)));
+        context.for_axes(&axes, words)
+    });
+    told.collect()
 }
 
 /// What is different about an object on its axis, in words.

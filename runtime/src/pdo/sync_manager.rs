@@ -1,0 +1,100 @@
+//! What a sync manager takes.
+
+use super::MappedPdo;
+use crate::text::Text;
+
+/// What may be assigned to a sync manager (ETG.1000.6, sync manager PDO assignment).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SyncManager {
+    /// The PDOs that are assigned if nobody changes it, by index.
+    pub default: &'static [u16],
+    /// Whether a master may write the assignment object.
+    pub assignable: bool,
+    /// The largest number of PDOs at once.
+    pub slots: u8,
+    /// The longest image in bytes, if the description says.
+    pub max_size: Option<u16>,
+    /// PDOs that have to be there.
+    pub mandatory: &'static [u16],
+    /// Pairs of PDOs of which one has to be left out.
+    pub exclusive: &'static [[u16; 2]],
+}
+
+impl SyncManager {
+    /// Whether two PDOs cannot be assigned together.
+    pub const fn excludes(&self, one: u16, other: u16) -> bool {
+        has_pair(self.exclusive, one, other)
+    }
+
+    /// What is wrong with a PDO behind others, if anything is.
+    pub(crate) const fn pair_fault(&self, mut others: &[MappedPdo], pdo: u16) -> Option<Text> {
+        while let Some((other, rest)) = others.split_first() {
+            if other.index == pdo {
+                return Some(Text::new().hex(pdo).text(" is in the image twice"));
+            }
+            if self.excludes(other.index, pdo) {
+                let pair = Text::new().hex(other.index).text(" and ").hex(pdo);
+                return Some(pair.text(" cannot be assigned together"));
+            }
+            others = rest;
+        }
+        None
+    }
+
+    /// What is wrong with an image of PDOs as a whole, if anything is.
+    pub(crate) const fn image_fault(&self, pdos: &[MappedPdo], bytes: usize) -> Option<Text> {
+        let (count, slots) = (pdos.len(), self.slots as usize);
+        if !self.assignable && !is_default(self.default, pdos) {
+            let text = Text::new().text("the device does not let its assignment be changed: it is ");
+            return Some(text.list(self.default));
+        }
+        if count > slots {
+            let text = Text::new().number(count).text(" PDOs are in the image, the device takes ");
+            return Some(text.number(slots));
+        }
+        if let Some(max) = self.max_size
+            && bytes > max as usize
+        {
+            let text = Text::new().text("the image has ").number(bytes).text(" bytes, the device takes ");
+            return Some(text.number(max as usize));
+        }
+        let mut mandatory = self.mandatory;
+        while let Some((index, rest)) = mandatory.split_first() {
+            if !has(pdos, *index) {
+                return Some(Text::new().hex(*index).text(" is missing, the device does not do without it"));
+            }
+            mandatory = rest;
+        }
+        None
+    }
+}
+
+const fn has(mut pdos: &[MappedPdo], index: u16) -> bool {
+    while let Some((pdo, rest)) = pdos.split_first() {
+        if pdo.index == index {
+            return true;
+        }
+        pdos = rest;
+    }
+    false
+}
+
+const fn has_pair(mut pairs: &[[u16; 2]], one: u16, other: u16) -> bool {
+    while let Some(([a, b], rest)) = pairs.split_first() {
+        if (*a == one && *b == other) || (*a == other && *b == one) {
+            return true;
+        }
+        pairs = rest;
+    }
+    false
+}
+
+const fn is_default(mut default: &[u16], mut pdos: &[MappedPdo]) -> bool {
+    while let (Some((index, others)), Some((pdo, rest))) = (default.split_first(), pdos.split_first()) {
+        if *index != pdo.index {
+            return false;
+        }
+        (default, pdos) = (others, rest);
+    }
+    default.is_empty() && pdos.is_empty()
+}
