@@ -1,5 +1,6 @@
 //! Configurations of `ethercat_driver_ros2`, read by the library that it uses (yaml-cpp) with the types that it asks for.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
@@ -73,11 +74,13 @@ fn expected(member: &Json, configuration: Option<&Json>) -> Vec<String> {
         lines.push(format!("sdo {index} {subindex} {} {value}", data.len() * 8));
     }
     for (way, role) in [("rpdo", "outputs"), ("tpdo", "inputs")] {
+        let mut taken = BTreeMap::new();
         for index in assigned(member, configuration, role) {
             lines.push(format!("{way} {index}"));
             let mapped = configuration.into_iter().flat_map(|it| list(it, "mapping"));
             let pdo = mapped.chain(list(member, "pdos")).find(|pdo| number(pdo, "index") == index).unwrap();
-            lines.extend(list(pdo, "entries").iter().map(|entry| channel(member, entry, role == "outputs")));
+            let entries = list(pdo, "entries").iter();
+            lines.extend(entries.map(|entry| channel(member, entry, role == "outputs", &mut taken)));
         }
     }
     for manager in list(member, "sync_managers") {
@@ -125,21 +128,13 @@ fn whole_name(id: &str) -> String {
     id.to_lowercase().replace('-', "_")
 }
 
-fn channel(member: &Json, mapped: &Json, is_output: bool) -> String {
+/// `taken` has how often each name was there before: of a value that is mapped again, the name has a number.
+fn channel(member: &Json, mapped: &Json, is_output: bool, taken: &mut BTreeMap<String, usize>) -> String {
     let bits = number(mapped, "bits");
     if mapped["address"].is_null() {
         return format!("channel 0 0 {bits} bit{bits} - - 1");
     }
     let (index, subindex) = (number(&mapped["address"], "index"), number(&mapped["address"], "subindex"));
-    let is_word = word(member, &mapped["address"]).is_some();
-    let data_type = mapped["data_type"].as_str().unwrap_or("UINT");
-    let whole = !data_type.starts_with("REAL") && !data_type.contains("STRING");
-    let kind = match bits {
-        1 if whole => "bool".to_owned(),
-        8 | 16 | 32 | 64 if whole && data_type.starts_with("INT") && !is_word => format!("int{bits}"),
-        8 | 16 | 32 | 64 if whole => format!("uint{bits}"),
-        _ => return format!("channel {index} {subindex} {bits} bit{bits} - - 1"),
-    };
     let object = list(member, "objects").iter().find(|it| number(it, "index") == index);
     let axes = list(member, "axes");
     let axis = object.and_then(|it| it["axis"].as_u64()).map_or(0, |axis| usize::try_from(axis).unwrap());
@@ -149,6 +144,18 @@ fn channel(member: &Json, mapped: &Json, is_output: bool) -> String {
         .filter(|it| several && !it["axis"].is_null())
         .map(|_| whole_name(text(&axes[axis], "name")) + "_");
     let own = prefix.unwrap_or_default() + &whole_name(text(mapped, "id"));
+    let times = taken.entry(own.clone()).or_default();
+    *times += 1;
+    let own = if *times > 1 { format!("{own}_{times}") } else { own };
+    let is_word = word(member, &mapped["address"]).is_some();
+    let data_type = mapped["data_type"].as_str().unwrap_or("UINT");
+    let whole = !data_type.starts_with("REAL") && !data_type.contains("STRING");
+    let kind = match bits {
+        1 if whole => "bool".to_owned(),
+        8 | 16 | 32 | 64 if whole && data_type.starts_with("INT") && !is_word => format!("int{bits}"),
+        8 | 16 | 32 | 64 if whole => format!("uint{bits}"),
+        _ => return format!("channel {index} {subindex} {bits} bit{bits} - - 1"),
+    };
     let interface = role.map_or(own, |(_, role)| (*role).to_owned());
     let default = if interface == "position" && is_output && role.is_some() { "nan" } else { "-" };
     let si = scale(member, mapped).filter(|_| interface != "-").unwrap_or(1.0);
