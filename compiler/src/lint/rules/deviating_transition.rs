@@ -43,7 +43,8 @@ pub(super) fn check(device: &Device, report: &mut Report) {
         for (key, mut own) in ends {
             let Some(node) = report.profile(&transition.origin, key) else { continue };
             let mut profile = words(node);
-            (own.sort(), profile.sort());
+            own.sort();
+            profile.sort();
             if own == profile {
                 continue;
             }
