@@ -29,7 +29,6 @@ pub(crate) struct Head {
 #[derive(Debug, Default)]
 pub(crate) struct Device {
     pub(crate) head: Head,
-    /// Its name in other languages.
     pub(crate) names: Texts,
     pub(crate) url: Option<String>,
     pub(crate) urls: Texts,
