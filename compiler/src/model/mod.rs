@@ -1,8 +1,7 @@
 //! The device as it is: every reference bound, every axis written out, every PDO laid out.
 //!
-//! The model is plain data. Where a thing was written is kept beside it as an
-//! [`Origin`] and is not part of what the model says; all else is, and the JSON
-//! output is this model, word for word.
+//! The model is plain data. Where a thing was written is kept beside it as an [`Origin`] and is not part of what the
+//! model says; all else is, and the JSON output is this model, word for word.
 
 mod axis;
 mod bounds;
@@ -60,6 +59,7 @@ mod unit;
 mod value;
 mod word;
 
+use crate::source::Origin;
 pub use axis::{Area, Arrangement, Axis, Shift};
 pub use bounds::Bounds;
 pub use carried::Carried;
@@ -105,15 +105,13 @@ pub use state::{
 };
 pub use symbol::{Dimension, SYMBOLS, Symbol, dimensions};
 pub use table::Table;
+use table::table;
 pub use timing::{CycleTime, DeadTime, SyncMode, SyncSignal, Timeouts};
 pub use told::Pair;
 pub use transport::{Eeprom, Mailbox, Protocol, Role, SyncManager};
 pub use unit::{AxisUnit, Path, Scale, Unit};
 pub use value::Value;
 pub use word::Word;
-
-use crate::source::Origin;
-use table::table;
 
 model! {
     /// Devices that share a description: the members of a family, or one device alone.
