@@ -50,7 +50,7 @@ use ::devc_runtime::pdo::{
     MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     Unmapped,
 };
-use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+use ::devc_runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
 use ::devc_runtime::unit::{
     Acceleration, Angle, AngularAcceleration, AngularVelocity, AxisUnit, Length, Motion, Unit, Velocity,
 };
@@ -993,6 +993,9 @@ pub mod objects {
 
         /// `0x607D:01` Min position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
         ///
+        /// Contradicted, default: Between 0 and 0 there is no way to move; so the limits are filled in at
+        /// start, or not in force. On all six axes.
+        ///
         /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn min_position_limit(
             axis: Axis,
@@ -1001,6 +1004,9 @@ pub mod objects {
         }
 
         /// `0x607D:02` Max position limit. INT32, rw, default 0, in mm or deg ÷ 100000.
+        ///
+        /// Contradicted, default: Between 0 and 0 there is no way to move; so the limits are filled in at
+        /// start, or not in force. On all six axes.
         ///
         /// Assumed, unit: the manual gives none; the profile counts all positions of an axis in the same steps.
         pub const fn max_position_limit(
@@ -2321,6 +2327,7 @@ pub const BRING_UP: BringUp = BringUp {
         AxisObjects { mode: None, cycle: None },
         AxisObjects { mode: None, cycle: None },
     ],
+    cycles: &[CycleLimit { least_ns: 1000000, choices_ns: &[] }],
 };
 
 /// Start-up lists of the choices that are described, what to write in order, and the process data that

@@ -27,7 +27,7 @@ use ::devc_runtime::pdo::{
     MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     Unmapped,
 };
-use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+use ::devc_runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
 use ::devc_runtime::unit::{Angle, Scale, Unit};
 use ::devc_runtime::{Device, error};
 
@@ -1814,6 +1814,9 @@ pub enum ModeOfOperation {
     ///
     /// Assumed, objects: the signals are drawn in fig. 17; these are the values that the text names, and
     /// what the profile has for the mode.
+    ///
+    /// Contradicted, control-bits.6.about: Bits 4 and 6 are printed with other names and the same two
+    /// values; by the profile, bit 4 leaves the ramp and bit 6 its input, which this drive may do, too.
     Vl = 2,
     /// Profile velocity mode.
     ///
@@ -2254,9 +2257,13 @@ impl HomingMethod {
     /// 4. Stops with A588.
     /// 5. With I43 = 1, goes to A569.
     ///
-    /// Parameters: I102, A587\[0\], A587\[1\], A588, I44, A569, I43.
+    /// Parameters: I101, A587\[0\], A587\[1\], A588, I44, A569, I43.
     ///
     /// Source: Tab. 4, 6.4.1.1.7.
+    ///
+    /// Corrected, parameters; the source says: parameters = I102, A587\[0\], A587\[1\], A588, I44, A569,
+    /// I43. The method looks for the positive limit switch, whose source is I101; its sister E, number 2,
+    /// has the other one.
     pub const HOMING_ON_POSITIVE_LIMIT_SWITCH: Self = Self(18);
 
     /// Homing on positive home switch. Method H.
@@ -4546,6 +4553,10 @@ pub mod double {
         axes: &[
             AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
             AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
+        ],
+        cycles: &[
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
         ],
     };
 
@@ -7080,6 +7091,10 @@ pub mod single {
         }),
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
+        cycles: &[
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+        ],
     };
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that
@@ -8520,6 +8535,10 @@ pub mod double_hires {
             AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) },
             AxisObjects { mode: Some(0x6860), cycle: Some(0x68C2) },
         ],
+        cycles: &[
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+        ],
     };
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that
@@ -9504,6 +9523,10 @@ pub mod single_hires {
         }),
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
+        cycles: &[
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+            CycleLimit { least_ns: 0, choices_ns: &[250000, 500000, 1000000, 2000000, 4000000, 8000000] },
+        ],
     };
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that

@@ -25,7 +25,7 @@ use ::devc_runtime::pdo::{
     MappedPdo, Mapping, MappingObject, Members, Pdo, ProcessData, ProcessImage, Rx, RxTx, SyncManager, Tx,
     Unmapped,
 };
-use ::devc_runtime::start_up::{AxisObjects, BringUp, Write};
+use ::devc_runtime::start_up::{AxisObjects, BringUp, CycleLimit, Write};
 use ::devc_runtime::unit::{AngularVelocity, Current, Scale, Unit, Voltage};
 use ::devc_runtime::{Device, error};
 
@@ -5325,6 +5325,11 @@ pub mod s300 {
         }),
         maps: true,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
+        cycles: &[
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ],
     };
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that
@@ -6188,6 +6193,11 @@ pub mod s400 {
         }),
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
+        cycles: &[
+            CycleLimit { least_ns: 1000000, choices_ns: &[] },
+            CycleLimit { least_ns: 500000, choices_ns: &[] },
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ],
     };
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that
@@ -6810,6 +6820,11 @@ pub mod s600 {
         }),
         maps: false,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
+        cycles: &[
+            CycleLimit { least_ns: 1000000, choices_ns: &[] },
+            CycleLimit { least_ns: 500000, choices_ns: &[] },
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ],
     };
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that
@@ -7508,6 +7523,11 @@ pub mod s700 {
         }),
         maps: true,
         axes: &[AxisObjects { mode: Some(0x6060), cycle: Some(0x60C2) }],
+        cycles: &[
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+            CycleLimit { least_ns: 250000, choices_ns: &[] },
+        ],
     };
 
     /// Start-up lists of the choices that are described, what to write in order, and the process data that
