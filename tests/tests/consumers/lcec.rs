@@ -11,8 +11,11 @@ use crate::expected::bytes;
 use crate::model::{list, number, text, word};
 use crate::ways::{each_file, step};
 
+/// An element with what it must have, what it may have, and what may be in it.
+type Known = (&'static str, &'static [&'static str], &'static [&'static str], &'static [&'static str]);
+
 /// Elements with their attributes, those that have to be there first, and what may be in them.
-const ELEMENTS: &[(&str, &[&str], &[&str], &[&str])] = &[
+const ELEMENTS: &[Known] = &[
     ("masters", &[], &[], &["master"]),
     ("master", &["idx", "appTimePeriod"], &["refClockSyncCycles", "name"], &["slave"]),
     (
