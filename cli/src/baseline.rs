@@ -16,7 +16,7 @@ use super::draft::Draft;
 use super::existing;
 use super::outcome::Failure;
 use super::report::Report;
-use super::workplace::Workplace;
+use super::workplace::{Workplace, folder};
 
 /// The version of the format; a file of another one may mean something else.
 const VERSION: u32 = 1;
@@ -61,8 +61,7 @@ impl Baseline {
     /// Writes the baseline; what lies there has to be one, and not one of a later devc.
     pub(super) fn write(&self, path: &Path, report: &Report) -> Result<(), Failure> {
         let path = target(path);
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let place = Workplace::enter(folder, report);
+        let place = Workplace::enter(folder(&path), report);
         let repeated =
             self.0.iter().flat_map(|(finding, count)| std::iter::repeat_n(finding.clone(), *count));
         let document = Document { version: VERSION, findings: repeated.collect() };

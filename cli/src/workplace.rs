@@ -30,6 +30,11 @@ impl Workplace {
         workplace
     }
 
+    /// The folder of a file that this run alone writes: it is not held, so that others need not wait until the run ends.
+    pub(super) fn of(file: &Path) -> Self {
+        Self { folder: folder(file).to_owned(), lock: None }
+    }
+
     /// What cannot be removed does no harm.
     fn clear(&self) {
         for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
@@ -40,6 +45,11 @@ impl Workplace {
             }
         }
     }
+}
+
+/// The folder that a file is in.
+pub(super) fn folder(file: &Path) -> &Path {
+    file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Whether this is the name of a draft, `.devc-draft-<process>-<number>`, and not merely one that begins like it.

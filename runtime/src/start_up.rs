@@ -5,6 +5,7 @@
 
 mod bring_up;
 mod cycle;
+mod list;
 
 use core::fmt;
 
@@ -15,6 +16,7 @@ use crate::text::Text;
 
 pub use bring_up::{AxisObjects, BringUp};
 pub use cycle::CycleLimit;
+use list::List;
 
 /// A write through the mailbox: an SDO download on the way to process data.
 ///
@@ -227,80 +229,4 @@ const fn period(ns: u64) -> (u8, i8) {
     }
     assert!(count != 0 && count <= 255, "the cycle time is not up to 255 of a power of ten of a second");
     (count as u8, exponent)
-}
-
-/// A list that is being made: those that do not fit are only counted.
-struct List<const N: usize> {
-    writes: [Write; N],
-    length: usize,
-    /// Whether what is written only to be written again belongs to it.
-    clears: bool,
-}
-
-impl<const N: usize> List<N> {
-    const fn new(clears: bool) -> Self {
-        Self { writes: [Write::new(Address::new(0, 0), &[], ""); N], length: 0, clears }
-    }
-
-    const fn write(mut self, index: u16, subindex: u8, data: &[u8], what: &'static str) -> Self {
-        if let Some((_, rest)) = self.writes.split_at_mut_checked(self.length)
-            && let Some(place) = rest.first_mut()
-        {
-            *place = Write::new(Address::new(index, subindex), data, what);
-        }
-        self.length += 1;
-        self
-    }
-
-    const fn clear(self, index: u16, what: &'static str) -> Self {
-        if self.clears { self.write(index, 0, &[0], what) } else { self }
-    }
-
-    /// The mappings that are the user's own.
-    const fn mappings(mut self, pdos: Option<&'static [MappedPdo]>) -> Self {
-        let mut pdos = match pdos {
-            Some(pdos) => pdos,
-            None => &[],
-        };
-        while let Some((pdo, rest)) = pdos.split_first() {
-            if pdo.is_own {
-                self = self.mapping(pdo);
-            }
-            pdos = rest;
-        }
-        self
-    }
-
-    const fn mapping(self, pdo: &MappedPdo) -> Self {
-        let mut list = self.clear(pdo.index, "clear the mapping");
-        let (mut entries, mut subindex) = (pdo.mapping, 0);
-        while let Some((entry, rest)) = entries.split_first() {
-            subindex += 1;
-            list = list.write(pdo.index, subindex, &entry.word().to_le_bytes(), "map an entry");
-            entries = rest;
-        }
-        list.write(pdo.index, 0, &[subindex], "number of entries")
-    }
-
-    const fn assignment(mut self, index: u16, pdos: Option<&'static [MappedPdo]>) -> Self {
-        let Some(mut pdos) = pdos else { return self };
-        let mut subindex = 0;
-        while let Some((pdo, rest)) = pdos.split_first() {
-            subindex += 1;
-            self = self.write(index, subindex, &pdo.index.to_le_bytes(), "assign a PDO");
-            pdos = rest;
-        }
-        self.write(index, 0, &[subindex], "number of PDOs")
-    }
-
-    const fn axis(mut self, axis: &AxisObjects, mode: Option<i8>, cycle: Option<(u8, i8)>) -> Self {
-        if let (Some(index), Some(mode)) = (axis.mode, mode) {
-            self = self.write(index, 0, &mode.to_le_bytes(), "mode of operation");
-        }
-        if let (Some(index), Some((count, exponent))) = (axis.cycle, cycle) {
-            self = self.write(index, 1, &[count], "interpolation time period");
-            self = self.write(index, 2, &exponent.to_le_bytes(), "its power of ten in seconds");
-        }
-        self
-    }
 }

@@ -1,17 +1,21 @@
 //! What masters have stored in devices, in a file: so it is there when the devices run again.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use devc_runtime::object::Address;
 use devc_virtual::drive::Stored;
 
+use crate::draft::Draft;
+use crate::existing;
 use crate::outcome::Failure;
+use crate::workplace::Workplace;
 
 /// Values in hexadecimal by their addresses, by the place and the name of each device.
 type Text = BTreeMap<String, BTreeMap<String, String>>;
+
+/// The most bytes that are read of a file: more than all values of a long line of devices take.
+const LARGEST: usize = 64 << 20;
 
 /// A file with what devices have stored.
 #[derive(Debug)]
@@ -23,14 +27,13 @@ pub(super) struct Store {
 impl Store {
     /// Reads the file, if it is there.
     pub(super) fn open(path: &Path) -> Result<Self, Failure> {
-        let kept = match fs::read_to_string(path) {
-            Ok(text) => serde_json::from_str(&text).map_err(|error| {
-                let what = format!("`{}` does not hold what devices have stored: {error}", path.display());
-                Failure::new(what).help("`--store` takes a file of its own, which need not be there")
-            })?,
-            Err(error) if error.kind() == ErrorKind::NotFound => Text::new(),
-            Err(error) => return Err(Failure::at("read", path, &error)),
+        let Some(text) = existing::read(path, LARGEST)? else {
+            return Ok(Self { path: path.to_owned(), kept: Text::new() });
         };
+        let kept = serde_json::from_slice(&text).map_err(|error| {
+            let what = format!("`{}` does not hold what devices have stored: {error}", path.display());
+            Failure::new(what).help("`--store` takes a file of its own, which need not be there")
+        })?;
         Ok(Self { path: path.to_owned(), kept })
     }
 
@@ -45,11 +48,8 @@ impl Store {
         let hex = |value: &[u8]| value.iter().map(|byte| format!("{byte:02X}")).collect::<String>();
         let values = stored.iter().map(|(address, value)| (address.to_string(), hex(value)));
         self.kept.insert(key(position, name), values.collect());
-        let failure = |error| Failure::at("write", &self.path, &error);
-        let text = serde_json::to_string_pretty(&self.kept).map_err(|error| failure(error.into()))?;
-        // whole or not at all
-        let draft = self.path.with_extension("draft");
-        fs::write(&draft, text + "\n").and_then(|()| fs::rename(&draft, &self.path)).map_err(failure)
+        let text = serde_json::to_string_pretty(&self.kept).unwrap_or_default() + "\n";
+        Draft::write(&Workplace::of(&self.path), &self.path, text)?.publish()
     }
 }
 
@@ -70,6 +70,8 @@ fn bytes(text: &str) -> Option<Vec<u8>> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

@@ -36,8 +36,8 @@ fn a_rule_comes_first() {
 fn a_profile_is_all_that_it_has() {
     let answer = ask("cia402", &["IEC 61800-7-201"]);
     let row = |key: &str| lines(&answer, key).concat().join(" ");
-    assert_eq!(row("0x6064"), "0x6064 Position actual value INT32 ro tx");
-    assert_eq!(row("0x60FE"), "0x60FE Digital outputs array of UINT32 rw rx");
+    assert_eq!(row("0x6064"), "0x6064 INT32 ro tx Position actual value");
+    assert_eq!(row("0x60FE"), "0x60FE array of UINT32 rw rx Digital outputs");
     assert_eq!(row("operation-enabled"), "operation-enabled Operation enabled x01x 0111");
     assert_eq!(row("enable-operation"), "enable-operation Enable operation 0xxx 1111");
     assert_eq!(row("0x8611"), "0x8611 Following error");
@@ -159,7 +159,7 @@ fn an_abort_code_is_told() {
         ask(words, &["SDO abort code 0x06040041 of ethercat: Not mappable", "ETG.1000.6"]);
     }
     let desk = Desk::new(&[("drive", BYTES)]);
-    desk.devc(&["explain", "drive", "abort", "0x06010003"]).ends(0, &["Subindex 0 is not 0"]);
+    desk.devc(&["explain", "devices/drive", "abort", "0x06010003"]).ends(0, &["Subindex 0 is not 0"]);
 }
 
 const BYTES: &str = r#"
@@ -216,13 +216,14 @@ fn bytes_are_taken_apart_for_a_drive() {
     for pdo in ["0x1A00", "inputs"] {
         let said =
             ["bytes 0 to 1", "0x6041:00", "shows Operation enabled", "-1500, -150 rpm", "2: left", "page 7"];
-        desk.devc(&["explain", "drive", pdo, "37 02 24 FA 02"]).ends(0, &said);
-        desk.devc(&["explain", "drive", pdo, "37", "02", "24", "FA", "02"]).ends(0, &said);
+        desk.devc(&["explain", "devices/drive", pdo, "37 02 24 FA 02"]).ends(0, &said);
+        desk.devc(&["explain", "devices/drive", pdo, "37", "02", "24", "FA", "02"]).ends(0, &said);
     }
-    desk.devc(&["explain", "drive", "0x1A00", "37 02"]).ends(0, &["There are 2 bytes", "missing"]);
+    desk.devc(&["explain", "devices/drive", "0x1A00", "37 02"]).ends(0, &["There are 2 bytes", "missing"]);
     let said = ["error 0x2310, Continuous over", "0x02", "01 02 03 04 05", "Move less.", "page 7"];
-    desk.devc(&["explain", "drive", "emcy", "10 23 02 01 02 03 04 05"]).ends(0, &said);
-    desk.devc(&["explain", "drive", "emcy", "00 00 00 00 00 00 00 00"]).ends(0, &["no error any more"]);
-    desk.devc(&["explain", "drive", "hello", "07 34 12"]).ends(0, &["07: greet", "34 12", "page 7"]);
-    desk.devc(&["explain", "drive", "0x1A01", "07 34 12"]).ends(2, &["nothing is known"]);
+    desk.devc(&["explain", "devices/drive", "emcy", "10 23 02 01 02 03 04 05"]).ends(0, &said);
+    desk.devc(&["explain", "devices/drive", "emcy", "00 00 00 00 00 00 00 00"])
+        .ends(0, &["no error any more"]);
+    desk.devc(&["explain", "devices/drive", "hello", "07 34 12"]).ends(0, &["07: greet", "34 12", "page 7"]);
+    desk.devc(&["explain", "devices/drive", "0x1A01", "07 34 12"]).ends(2, &["nothing is known"]);
 }

@@ -27,6 +27,8 @@ const CLAUSES: &[Clause] = &[
     ("ethercat", "objects", 0x1C00..=0x1C00, "ETG.1000.6, sync manager communication type"),
     ("ethercat", "objects", 0x1C10..=0x1C2F, "ETG.1000.6, sync manager PDO assignment"),
     ("ethercat", "objects", 0x1C30..=0x1C4F, "ETG.1000.6, sync manager synchronization; ETG.1020, synchronization"),
+    ("ethercat", "objects", 0xF000..=0xF0FF, "ETG.5001, modular device profile"),
+    ("ethercat", "abort-codes", ANY, "ETG.1000.6, SDO abort codes; CiA 301, abort SDO transfer protocol"),
     ("ethercat", "words", ANY, "CiA 301, error register"),
     ("ethercat", "communication-states", ANY, "ETG.1000.6, EtherCAT state machine"),
     ("ethercat", "communication-transitions", ANY, "ETG.1000.6, EtherCAT state machine"),

@@ -6,7 +6,7 @@ use super::tree::Tree;
 
 /// The columns of sections that have more to show than a name.
 const COLUMNS: &[(&str, &[&str])] = &[
-    ("objects", &["name", "type", "access", "pdo"]),
+    ("objects", &["type", "access", "pdo", "name"]),
     ("words", &["about"]),
     ("states", &["name", "pattern"]),
     ("commands", &["name", "pattern"]),

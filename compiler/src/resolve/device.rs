@@ -10,8 +10,8 @@ use super::{
 };
 use crate::diagnostic::Diagnostics;
 use crate::model::{
-    Arrangement, Device, Direction, Eeprom, Hex, Object, Parameter, Pdo, Picture, Repeated, Repetition,
-    Slots, Tables, repetitions,
+    Arrangement, Device, Eeprom, Hex, Object, Parameter, Pdo, Picture, Repeated, Repetition, Slots, Tables,
+    repetitions,
 };
 use crate::raw::{RawAxes, RawDevice};
 
@@ -26,17 +26,12 @@ pub(super) fn device(mut raw: RawDevice, diagnostics: &mut Diagnostics) -> Optio
     let slots =
         Slots { axes: &context.axes, shifts: &context.shifts, modules: &modules, profile: head.profile };
     restated::fill(&mut described.objects, &head, &identity, raw.axes.as_ref(), &slots);
-    let mut pdos = pdos::pdos(context, &raw.rx_pdos, Direction::Rx, &described.objects);
-    pdos.extend(pdos::pdos(context, &raw.tx_pdos, Direction::Tx, &described.objects));
+    let pdos = pdos::of_both_ways(context, [&raw.rx_pdos, &raw.tx_pdos], &described.objects);
     mappability::settle(&mut described.objects, &pdos);
     let raw_pdos: Vec<_> = raw.rx_pdos.iter().chain(&raw.tx_pdos).collect();
     let sync_managers = sync_managers::sync_managers(context, raw.sync_managers, &raw_pdos, &pdos);
-    let basis = Basis {
-        pdos: &pdos,
-        sync_managers: &sync_managers,
-        mailbox: raw.mailbox.as_ref(),
-        origin: &head.origin,
-    };
+    let (mailbox, origin) = (raw.mailbox.as_ref(), &head.origin);
+    let basis = Basis { pdos: &pdos, sync_managers: &sync_managers, mailbox, origin };
     let objects = derived::dictionary(context, described, &basis);
     let configurations = configurations::configurations(context, raw.configurations, &objects, &basis);
     let words = words::words(context, raw.words, &objects);

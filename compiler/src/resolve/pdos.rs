@@ -11,12 +11,7 @@ use crate::raw::RawPdo;
 use crate::source::Origin;
 
 /// The PDOs of a direction, by index.
-pub(super) fn pdos(
-    context: &mut Context<'_>,
-    raw: &[RawPdo],
-    direction: Direction,
-    objects: &[Object],
-) -> Vec<Pdo> {
+fn pdos(context: &mut Context<'_>, raw: &[RawPdo], direction: Direction, objects: &[Object]) -> Vec<Pdo> {
     let described: Described =
         raw.iter().filter_map(|it| Some((names::index(&it.key)?, it.per_axis))).collect();
     let mut pdos = Vec::new();
@@ -37,6 +32,17 @@ pub(super) fn pdos(
     pdos.sort_by_key(|pdo| pdo.index);
     report_duplicates(context, &pdos);
     pdos
+}
+
+/// The PDOs of both directions.
+pub(super) fn of_both_ways(
+    context: &mut Context<'_>,
+    [received, sent]: [&[RawPdo]; 2],
+    objects: &[Object],
+) -> Vec<Pdo> {
+    let mut all = pdos(context, received, Direction::Rx, objects);
+    all.extend(pdos(context, sent, Direction::Tx, objects));
+    all
 }
 
 fn in_range(index: Index, direction: Direction) -> bool {

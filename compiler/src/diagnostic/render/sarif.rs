@@ -3,10 +3,8 @@
 use serde_json::{Value, json};
 
 use super::position::range;
-use crate::diagnostic::{Diagnostic, Diagnostics, Group, Level, Rule};
+use crate::diagnostic::{Diagnostic, Diagnostics, Level, Rule};
 use crate::text::{Location, Sources, characters as text};
-
-const DOCS_URI: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/compiler/docs");
 
 /// The messages about several descriptions as one SARIF log, with the table of all rules.
 pub fn sarif(runs: &[(&Diagnostics, &Sources)], rules: &[&Rule]) -> String {
@@ -25,7 +23,6 @@ pub fn sarif(runs: &[(&Diagnostics, &Sources)], rules: &[&Rule]) -> String {
             "tool": { "driver": {
                 "name": "devc",
                 "semanticVersion": env!("CARGO_PKG_VERSION"),
-                "informationUri": env!("CARGO_PKG_REPOSITORY"),
                 "rules": rules.iter().map(|rule| descriptor(rule)).collect::<Vec<_>>(),
             }},
             "columnKind": "utf16CodeUnits",
@@ -44,15 +41,9 @@ fn descriptor(rule: &Rule) -> Value {
         "shortDescription": { "text": rule.summary },
         "fullDescription": { "text": why(rule) },
         "help": { "text": why(rule), "markdown": rule.docs },
-        "helpUri": format!("{DOCS_URI}/{}#{}", page(rule), rule.name),
         "defaultConfiguration": { "level": level(rule.level) },
         "properties": { "tags": [rule.group.name()] },
     })
-}
-
-/// The page that has its documentation.
-fn page(rule: &Rule) -> &'static str {
-    if rule.group == Group::Changes { "changes.md" } else { "rules.md" }
 }
 
 /// The documentation up to its examples.

@@ -23,6 +23,7 @@ mod objects;
 mod pdo;
 mod primitive;
 mod profile;
+mod properties;
 mod slots;
 mod sync_managers;
 mod types;
@@ -57,6 +58,7 @@ const LINTS: &[&Rule] = &[
     &rules::replaced_revision::RULE,
     &rules::undersized_eeprom::RULE,
     &rules::uneven_slots::RULE,
+    &rules::unfit_image::RULE,
     &rules::unlike_slots::RULE,
     &rules::unslotted_axis::RULE,
     &rules::unspoken_ability::RULE,

@@ -4,9 +4,10 @@ use super::composite::{Member, Shape};
 use super::element::Element;
 use super::frame::Frame;
 use super::literal::Bytes;
+use super::properties::properties;
 use super::types::Types;
 use super::{comment, flags, names, unit};
-use crate::model::{Device, Object, Property, Value};
+use crate::model::{Device, Object, Value};
 
 /// An object.
 pub(super) fn object(frame: Frame<'_>, object: &Object, shape: &Shape<'_>, types: &Types) -> Element {
@@ -19,16 +20,6 @@ pub(super) fn object(frame: Frame<'_>, object: &Object, shape: &Shape<'_>, types
         .child(info(frame.device(), object, shape))
         .child(flags::of_object(object))
         .child(Element::new("Properties").children(properties(&object.properties)).unless_empty())
-}
-
-/// What the vendor's tools are told.
-pub(super) fn properties(properties: &[Property]) -> impl Iterator<Item = Element> {
-    properties.iter().map(|property| {
-        Element::new("Property")
-            .child(Element::leaf("Name", &property.name))
-            .child(property.value.as_ref().map(|value| Element::leaf("Value", value)))
-            .child(property.about.as_ref().map(|about| Element::worded("Desc", about)))
-    })
 }
 
 /// The values of an object: its own, or those of every member in order.

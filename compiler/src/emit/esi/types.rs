@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::composite::{Member, Shape};
 use super::element::Element;
 use super::enumeration::Enumeration;
-use super::objects::properties;
+use super::properties::properties;
 use super::{comment, flags, primitive};
 use crate::model::{Index, Object};
 

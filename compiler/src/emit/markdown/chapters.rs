@@ -45,8 +45,7 @@ pub(super) fn chapters(context: &Context<'_>) -> Vec<Chapter> {
         repetitions: _, written: _,
         // the chapters about them go through those that stand for all axes
         pdos: _, objects: _,
-        // what they say stands with each entry; the picture is for tools
-        enumerations: _, image: _,
+        enumerations: _, image: _, // what they say stands with each entry; the picture is for tools
         vendor, about, models, group, type_name, profile, physics, identity, eeprom, limits, source, origin,
         names, ebus_current, url, urls,
         axes, arrangement, modules, connectors, leds,

@@ -107,7 +107,7 @@ mod undersized_sync_manager;
 mod understated_axes;
 pub(crate) mod uneven_slots;
 mod unexpected_mode_bit;
-mod unfit_image;
+pub(crate) mod unfit_image;
 mod unknown_homing_method;
 pub(super) mod unknown_rule;
 pub(crate) mod unlike_slots;

@@ -23,7 +23,7 @@ rule! {
     /// name = "Drive"
     /// vendor = "Example"
     /// ```
-    pub(super) static RULE = "unfit-image", Output, Warning, "a picture is none of 16 by 14 points";
+    pub(crate) static RULE = "unfit-image", Output, Warning, "a picture is none of 16 by 14 points";
 }
 
 pub(super) fn check(device: &Device, report: &mut Report) {
