@@ -534,7 +534,7 @@ fn a_string_can_stand_for_a_table() {
       |            ^ in `entries`
     ");
     assert_snapshot!(read::<Pdo>("entries = [[\"a\", 1, \"b\"]]").1, @r#"
-    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type` and `name`, found an array
+    error[wrong-type]: expected the name or index of an entry, or a table with `entry`, `bits`, `type`, `name` and `names`, found an array
      --> device.toml:1:12
       |
     1 | entries = [["a", 1, "b"]]
