@@ -30,6 +30,8 @@ pub(super) struct Bus {
     interface: Interface,
     trace: Option<Trace<BufWriter<File>>>,
     store: Option<Store>,
+    /// What has happened and is not told yet, with the position of the device.
+    events: Vec<(Option<usize>, Event)>,
     /// What is to come.
     dues: Vec<Due>,
     start: Instant,
@@ -45,7 +47,7 @@ impl Bus {
         dues: Vec<Due>,
     ) -> Self {
         let start = Instant::now();
-        Self { wire, interface, trace, store, dues, start, known: start }
+        Self { wire, interface, trace, store, events: Vec::new(), dues, start, known: start }
     }
 
     /// Serves a master to the end, and says what happens.
@@ -53,9 +55,7 @@ impl Bus {
         let (mut looked, mut reported) = (self.start, self.start);
         let mut screen = Screen::of(report);
         while !ending.has_come() {
-            self.exchange().map_err(|error| {
-                Failure::new(format!("the network interface or the trace is lost: {}", reason(&error)))
-            })?;
+            self.exchange(&told)?;
             if looked.elapsed() >= LOOK {
                 looked = Instant::now();
                 let is_second = reported.elapsed() >= SECOND;
@@ -69,23 +69,37 @@ impl Bus {
     }
 
     /// Takes the frames that have come, or lets a tick go by.
-    fn exchange(&mut self) -> io::Result<()> {
-        self.interface.wait(TICK)?;
+    fn exchange(&mut self, told: &Told) -> Result<(), Failure> {
+        self.interface.wait(TICK).map_err(lost)?;
         let mut is_idle = true;
-        while let Some(mut frame) = self.interface.receive()? {
+        while let Some(mut frame) = self.interface.receive().map_err(lost)? {
             self.go_on();
-            self.record(Way::In, &frame)?;
-            if self.wire.pass(&mut frame) {
-                self.interface.send(&frame)?;
-                self.record(Way::Out, &frame)?;
-            }
-            self.wire.work();
+            self.pass(&mut frame).map_err(lost)?;
+            self.work(told)?;
             is_idle = false;
         }
         if is_idle {
             self.go_on();
-            self.wire.work();
+            self.work(told)?;
         }
+        Ok(())
+    }
+
+    fn pass(&mut self, frame: &mut [u8]) -> io::Result<()> {
+        self.record(Way::In, frame)?;
+        if self.wire.pass(frame) {
+            self.interface.send(frame)?;
+            self.record(Way::Out, frame)?;
+        }
+        Ok(())
+    }
+
+    /// Lets the firmware go on. What it stores is in the file before a master can fetch the answer.
+    fn work(&mut self, told: &Told) -> Result<(), Failure> {
+        self.wire.work();
+        let events = self.wire.take_events();
+        self.keep(told, &events)?;
+        self.events.extend(events);
         Ok(())
     }
 
@@ -111,8 +125,8 @@ impl Bus {
     ) -> Result<(), Failure> {
         let at = self.start.elapsed();
         self.provoke(at);
-        let events = self.wire.take_events();
-        self.keep(told, &events)?;
+        let mut events = std::mem::take(&mut self.events);
+        events.extend(self.wire.take_events());
         let mut lines: Vec<String> =
             events.iter().map(|(position, event)| told.event(at, *position, event)).collect();
         for (position, subdevice) in self.wire.subdevices_mut().iter_mut().enumerate() {
@@ -161,4 +175,8 @@ impl Bus {
         }
         Ok(())
     }
+}
+
+fn lost(error: io::Error) -> Failure {
+    Failure::new(format!("the network interface or the trace is lost: {}", reason(&error)))
 }
