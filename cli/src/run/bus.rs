@@ -30,7 +30,7 @@ pub(super) struct Bus {
     interface: Interface,
     trace: Option<Trace<BufWriter<File>>>,
     store: Option<Store>,
-    /// What has happened and is not told yet, with the position of the device.
+    /// What has happened and was looked at, but is not told yet, with the position of the device.
     events: Vec<(Option<usize>, Event)>,
     /// What is to come.
     dues: Vec<Due>,
@@ -94,13 +94,10 @@ impl Bus {
         Ok(())
     }
 
-    /// Lets the firmware go on. What it stores is in the file before a master can fetch the answer.
+    /// Lets the firmware go on.
     fn work(&mut self, told: &Told) -> Result<(), Failure> {
         self.wire.work();
-        let events = self.wire.take_events();
-        self.keep(told, &events)?;
-        self.events.extend(events);
-        Ok(())
+        self.keep(told)
     }
 
     fn go_on(&mut self) {
@@ -162,10 +159,11 @@ impl Bus {
         });
     }
 
-    /// Keeps what was stored or restored.
-    fn keep(&mut self, told: &Told, events: &[(Option<usize>, Event)]) -> Result<(), Failure> {
+    /// Keeps what was stored or restored, before a master can fetch the answer.
+    fn keep(&mut self, told: &Told) -> Result<(), Failure> {
         let Some(store) = &mut self.store else { return Ok(()) };
-        for (position, event) in events {
+        let events = self.wire.take_events();
+        for (position, event) in &events {
             let Some(position) = position.filter(|_| matches!(event, Event::Stored | Event::Restored)) else {
                 continue;
             };
@@ -173,6 +171,7 @@ impl Bus {
                 store.keep(position, told.name(position), subdevice.firmware.stored())?;
             }
         }
+        self.events.extend(events);
         Ok(())
     }
 }
