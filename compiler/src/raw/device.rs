@@ -1,6 +1,7 @@
 //! A description, decoded: what its sections hold.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::read::Sections;
 use super::{
@@ -44,14 +45,14 @@ macro_rules! device {
             /// What no source states.
             pub assumptions: Vec<Assumption>,
             /// The objects of the profiles by id, whether or not they are mentioned.
-            pub offered: BTreeMap<String, Index>,
+            pub offered: Arc<BTreeMap<String, Index>>,
             /// Every table of a section.
             pub written: Vec<Written>,
         }
 
         impl Sections<'_> {
             /// Reads all sections.
-            pub(super) fn device(mut self, id: String, offered: BTreeMap<String, Index>) -> RawDevice {
+            pub(super) fn device(mut self, id: String, offered: Arc<BTreeMap<String, Index>>) -> RawDevice {
                 $(let $field: held!($shape $table) = read!($shape self $name);)*
                 let lints = self.lints();
                 let (assumptions, written) = self.finish();

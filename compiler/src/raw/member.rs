@@ -31,7 +31,7 @@ pub fn read(document: &Document, id: &str, sources: &Sources, diagnostics: &mut 
     }
     let trees = members(document, id, diagnostics);
     let (mut nowhere, mut room) = (Vec::new(), Room::new());
-    let offered = offered(&document.profile);
+    let offered = Arc::new(offered(&document.profile));
     let devices: Vec<Reading> = trees
         .into_iter()
         .map_while(|(id, tree, removed)| {

@@ -1,6 +1,7 @@
 //! The words by which a description refers to objects.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::numbered;
 use crate::model::ids;
@@ -18,14 +19,14 @@ pub(super) struct Names {
     by_parameter: BTreeMap<String, Address>,
     known: Vec<Index>,
     /// What a profile has besides, by id.
-    offered: BTreeMap<String, Index>,
+    offered: Arc<BTreeMap<String, Index>>,
     coordinates: Option<Coordinates>,
 }
 
 impl Names {
     /// Gathers the ids of all described objects and the indices of what follows from the PDOs.
     pub(super) fn gather(raw: &RawDevice, coordinates: Option<Coordinates>) -> Self {
-        let mut names = Self { coordinates, offered: raw.offered.clone(), ..Self::default() };
+        let mut names = Self { coordinates, offered: Arc::clone(&raw.offered), ..Self::default() };
         for object in &raw.objects {
             let index = object.index;
             names.by_id.entry(object_id(object)).or_insert(index);
