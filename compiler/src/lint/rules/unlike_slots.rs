@@ -1,6 +1,6 @@
 use crate::diagnostic::{Diagnostic, rule};
 use crate::lint::Report;
-use crate::model::{Axis, Device, Module, Object, Pdo, Section, differences};
+use crate::model::{Axis, Device, Module, Object, Pdo, Repetition, Section, differences};
 use crate::source::Location;
 
 rule! {
@@ -63,22 +63,22 @@ fn told(module: &Module, axes: [&Axis; 2], what: &str, at: Location) -> Diagnost
 
 /// The first thing in which two axes are not alike, as the ESI tells it.
 fn unlike(device: &Device, first: &Axis, other: &Axis) -> Option<(String, Location)> {
-    let object = |axis: &Axis, leading| {
-        device.objects_of(leading).find(|object| device.slot_of(object) == Some(axis.number))
+    let index = |axis: &Axis, all: &Repetition| all.axes.get(usize::from(axis.number)).copied().flatten();
+    let object = |axis, all: &_| {
+        let object = index(axis, all).and_then(|index| device.object(index));
+        object.filter(|object| device.slot_of(object).is_some())
     };
-    let pdo = |axis: &Axis, leading| {
-        device.pdos.iter().find(|pdo| (pdo.axis, pdo.leading) == (Some(axis.number), leading))
-    };
+    let pdo = |axis, all: &_| index(axis, all).and_then(|index| device.pdo(index));
     let missing = |index, axis: &Axis| format!("`{}` has no {index}", axis.name);
     device.repetitions.iter().find_map(|repetition| {
         let leading = repetition.leading;
-        match (object(first, leading), object(other, leading)) {
+        match (object(first, repetition), object(other, repetition)) {
             (Some(one), Some(same)) => return objects(one, same),
             (Some(one), None) => return Some((missing(leading, other), one.origin.header())),
             (None, Some(same)) => return Some((missing(leading, first), same.origin.header())),
             (None, None) => {}
         }
-        match (pdo(first, leading), pdo(other, leading)) {
+        match (pdo(first, repetition), pdo(other, repetition)) {
             (Some(one), Some(same)) => pdos(device, one, same),
             (Some(one), None) => Some((missing(leading, other), one.origin.header())),
             (None, Some(same)) => Some((missing(leading, first), same.origin.header())),
