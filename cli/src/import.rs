@@ -13,7 +13,7 @@ use super::draft::Draft;
 use super::existing;
 use super::outcome::{Failure, Outcome};
 use super::report::Report;
-use super::workplace::Workplace;
+use super::workplace::{Workplace, folder};
 
 /// Make a description of an ESI file, of an EDS, or of what `ethercat sdos` prints.
 ///
@@ -83,8 +83,7 @@ impl Import {
             if existing::read(path, 0)?.is_some() {
                 self.may_replace(path)?;
             }
-            let folder =
-                path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let folder = folder(path);
             let made = fs::create_dir_all(folder).and_then(|()| fs::canonicalize(folder));
             let folder = made.map_err(|error| Failure::at("make the folder", folder, &error))?;
             let place = places.entry(folder).or_insert_with_key(|folder| Workplace::enter(folder, report));

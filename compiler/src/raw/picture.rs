@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{RawDevice, RawHead, Reading};
 use crate::diagnostic::{Diagnostic, Diagnostics, faults};
-use crate::source::{Loader, Location, outside};
+use crate::source::{Loader, Location, or_here, outside};
 
 /// The most bytes that a picture can have: four for each point, and a head, are less than half of it.
 const MOST: usize = 2_048;
@@ -51,7 +51,7 @@ fn read(
         Diagnostic::new(&faults::MISSING_FILE, message, at, "named here")
             .note("a picture is relative to the folder of the description")
     };
-    let folder = loader.canonical(if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    let folder = loader.canonical(or_here(folder));
     let folder = folder.map_err(|_| missing())?;
     let opened = loader.read(path).map_err(|_| missing())?;
     if !opened.name.starts_with(&folder) {

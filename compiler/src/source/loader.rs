@@ -149,7 +149,7 @@ pub(super) fn similar(loader: &dyn Loader, path: &Path) -> Option<String> {
 }
 
 /// The folder that an empty path stands for.
-pub(super) fn or_here(folder: &Path) -> &Path {
+pub(crate) fn or_here(folder: &Path) -> &Path {
     if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
 }
 

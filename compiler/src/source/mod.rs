@@ -25,6 +25,7 @@ pub(crate) use include::outside;
 #[cfg(any(feature = "cli", feature = "wireshark"))]
 pub(crate) use load::read_profile;
 pub use load::{Document, MAIN_FILE, Profile, load};
+pub(crate) use loader::or_here;
 pub use loader::{Disk, Loader, MAX_SIZE, Memory, Opened};
 pub use origin::Origin;
 pub(crate) use origin::parts;
