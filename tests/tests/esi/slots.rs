@@ -2,20 +2,17 @@
 //! each module where its slot is has to find the same device in both.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
-use devc::emit::esi::Esi;
-use devc::emit::{Emitter, Options};
-use devc::source::Memory;
 use roxmltree::{Document, Node};
+
+use crate::subjects::{compiled, xml};
 
 const SLOTTED: &str = include_str!("slotted.toml");
 
 fn esi(text: &str) -> String {
-    let compilation = devc::compile(&Memory::new().with("/trio/device.toml", text), Path::new("/trio"));
+    let compilation = compiled(text);
     assert!(compilation.diagnostics.is_empty(), "{:#?}", compilation.diagnostics);
-    let files = Esi.emit(&compilation.family.unwrap(), &Options::default());
-    files.text(".xml").unwrap().to_owned()
+    xml(&compilation.family.unwrap())
 }
 
 fn flat() -> String {

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+use devc::Compilation;
 use devc::emit::Emitter;
 use devc::emit::esi::Esi as Writer;
 use devc::lint::Checked;
@@ -71,12 +72,22 @@ pub(crate) fn corners() -> &'static Subject {
     named("corners")
 }
 
+/// What comes of a description.
+pub(crate) fn compiled(text: &str) -> Compilation {
+    devc::compile(&Memory::new().with("/described/device.toml", text), Path::new("/described"))
+}
+
+/// The file that is written for a family.
+pub(crate) fn xml(family: &Checked<Family>) -> String {
+    let files = Writer.emit(family, &devc::emit::Options::default());
+    files.text(".xml").expect("an ESI").to_owned()
+}
+
 fn subject(loader: &dyn Loader, folder: &Path) -> Subject {
     let compilation = devc::compile(loader, folder);
     let messages: Vec<_> = compilation.diagnostics.iter().map(|it| it.message.as_str()).collect();
     let family = compilation.family.unwrap_or_else(|| panic!("{}: {messages:#?}", folder.display()));
-    let files = Writer.emit(&family, &devc::emit::Options::default());
-    let xml = files.text(".xml").expect("an ESI").to_owned();
+    let xml = xml(&family);
     let esi = esi_reader::read(&xml).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     Subject { family, xml, esi }
 }

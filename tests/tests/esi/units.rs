@@ -1,10 +1,6 @@
 //! Units, in the codes of CiA 303-2, and what an object says of itself that has no more than a count.
 
-use std::path::Path;
-
-use devc::emit::Emitter;
-use devc::emit::esi::Esi as Writer;
-use devc::source::Memory;
+use crate::subjects::{self, compiled};
 
 const DESCRIPTION: &str = r#"
 [device]
@@ -54,12 +50,10 @@ fn found(xml: &str, index: &str, tag: &str) -> Vec<String> {
 }
 
 fn xml() -> String {
-    let folder = Path::new("/units");
-    let compilation = devc::compile(&Memory::new().with(folder.join("device.toml"), DESCRIPTION), folder);
+    let compilation = compiled(DESCRIPTION);
     let messages: Vec<_> = compilation.diagnostics.iter().map(|it| it.message.clone()).collect();
     let family = compilation.family.unwrap_or_else(|| panic!("{messages:#?}"));
-    let files = Writer.emit(&family, &devc::emit::Options::default());
-    files.text(".xml").expect("an ESI").to_owned()
+    subjects::xml(&family)
 }
 
 /// The codes of CiA 303-2: a tenth of a volt is 0xFF260000, as public files have it, and a revolution a minute 0x00B44700.
