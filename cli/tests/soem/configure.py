@@ -9,20 +9,16 @@ import sys
 
 import pysoem
 
+from bus import opened, watched
+
 
 def main(interface):
     rounds = json.load(sys.stdin)
-    timeouts = pysoem.settings.timeouts
-    # a machine that is busy with other tests is no reason to fail
-    timeouts.ret, timeouts.safe, timeouts.eeprom = 500_000, 500_000, 500_000
-    timeouts.tx_mailbox, timeouts.rx_mailbox = 500_000, 5_000_000
     print(json.dumps([configured(interface, lists) for lists in rounds]))
 
 
 def configured(interface, lists):
-    master = pysoem.Master()
-    master.open(interface)
-    try:
+    with opened(interface) as master:
         master.config_init()
         for device, writes in zip(master.slaves, lists, strict=True):
             for index, subindex, value in writes:
@@ -45,18 +41,6 @@ def configured(interface, lists):
         master.state = pysoem.INIT_STATE
         master.write_state()
         return told
-    finally:
-        master.close()
-
-
-def watched(device):
-    """Sets the watchdog of outputs to two seconds. SOEM waits 2 ms for a register, which a busy machine may take."""
-    for _ in range(100):
-        try:
-            return device.set_watchdog("processdata", 2_000)
-        except pysoem.WkcError:
-            pass
-    raise SystemExit(f"the watchdog of {device.name} cannot be set")
 
 
 def cycle(master):

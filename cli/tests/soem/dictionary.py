@@ -9,16 +9,12 @@ import sys
 
 import pysoem
 
+from bus import opened
+
 
 def main(interface):
     asked = json.load(sys.stdin)
-    timeouts = pysoem.settings.timeouts
-    # a machine that is busy with other tests is no reason to fail
-    timeouts.ret, timeouts.safe, timeouts.eeprom = 500_000, 500_000, 500_000
-    timeouts.tx_mailbox, timeouts.rx_mailbox = 500_000, 5_000_000
-    master = pysoem.Master()
-    master.open(interface)
-    try:
+    with opened(interface) as master:
         master.config_init()
         devices = list(zip(master.slaves, asked, strict=True))
         told = [read(device, entries) for device, (entries, _) in devices]
@@ -26,8 +22,6 @@ def main(interface):
         for (device, (_, tells)), of in zip(devices, told):
             of["objects"] = objects(device) if tells else []
         print(json.dumps(told))
-    finally:
-        master.close()
 
 
 def read(device, entries):

@@ -70,8 +70,10 @@ impl Network {
     /// Lets SOEM bring all to Operational and cycle, then move so many axes of the first; tells what it saw.
     fn master(&self, cycles: u32, axes: usize) -> Value {
         let script = "cli/tests/soem/master.py";
-        let master =
-            self.command(PYTHON).args([script, MASTER, &cycles.to_string(), &axes.to_string()]).output();
+        let master = self
+            .command(PYTHON)
+            .args(["-B", script, MASTER, &cycles.to_string(), &axes.to_string()])
+            .output();
         let master = master.expect("Python runs");
         let said = String::from_utf8_lossy(&master.stderr);
         assert!(master.status.success(), "{said}{}", String::from_utf8_lossy(&master.stdout));
@@ -81,7 +83,7 @@ impl Network {
     /// Lets SOEM do what a script has it do, and tells what that says of each subdevice or round.
     fn ask(&self, script: &str, asked: &Value) -> Vec<Value> {
         let mut master = self.command(PYTHON);
-        let master = master.args([&format!("cli/tests/soem/{script}"), MASTER]);
+        let master = master.args(["-B", &format!("cli/tests/soem/{script}"), MASTER]);
         let master = master.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut master = master.spawn().expect("Python runs");
         let mut questions = master.stdin.take().expect("a pipe");

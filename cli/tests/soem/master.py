@@ -7,15 +7,11 @@ import time
 
 import pysoem
 
+from bus import opened, watched
+
 
 def main(interface, cycles, axes):
-    # a machine that is busy with other tests is no reason to fail
-    timeouts = pysoem.settings.timeouts
-    timeouts.ret, timeouts.safe, timeouts.eeprom = 50_000, 500_000, 500_000
-    timeouts.tx_mailbox, timeouts.rx_mailbox = 500_000, 5_000_000
-    master = pysoem.Master()
-    master.open(interface)
-    try:
+    with opened(interface, ret=50_000) as master:
         count = master.config_init()
         seen = {"count": count, "devices": [], "cycles": 0, "wrong": 0}
         for device in master.slaves:
@@ -56,18 +52,6 @@ def main(interface, cycles, axes):
         master.state = pysoem.INIT_STATE
         master.write_state()
         print(json.dumps(seen))
-    finally:
-        master.close()
-
-
-def watched(device):
-    """Sets the watchdog of outputs to two seconds. SOEM waits 2 ms for a register, which a busy machine may take."""
-    for _ in range(100):
-        try:
-            return device.set_watchdog("processdata", 2_000)
-        except pysoem.WkcError:
-            pass
-    raise SystemExit(f"the watchdog of {device.name} cannot be set")
 
 
 def move(master, device, axes):
