@@ -6,5 +6,6 @@
 mod corners;
 mod hex;
 mod like_esi;
+mod published;
 mod reader;
 mod sizes;
